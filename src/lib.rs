@@ -1,0 +1,2 @@
+//! Cloth that runs on a microcontroller.
+#![no_std]
