@@ -66,7 +66,8 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     /// corner ¼.
     pub fn share_area(&mut self) {
         for node in Grid::<S, W, H>::nodes() {
-            let halvings = u32::from(node.column == 0 || node.column + 1 == W) + u32::from(node.row == 0 || node.row + 1 == H);
+            let halvings =
+                u32::from(node.column == 0 || node.column + 1 == W) + u32::from(node.row == 0 || node.row + 1 == H);
             self.inverse_mass[node] = S::ONE.double(halvings);
         }
     }
@@ -80,6 +81,21 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     /// Lets a pinned particle go, with this inverse mass.
     pub fn release(&mut self, node: Node, inverse_mass: S) {
         self.inverse_mass[node] = inverse_mass;
+    }
+
+    /// Moves a particle within a substep: its velocity takes part, so that it stays the sum of what moved the particle. (The difference
+    /// of two positions would lose its digits.) `shift` is that of [`Units::shift`].
+    #[inline]
+    pub fn displace(&mut self, node: Node, by: Vec3<S>, shift: u32) {
+        self.position[node] += by;
+        self.velocity[node] += by.double(shift);
+    }
+
+    /// Moves `a` by `by` and `b` against it, each times its inverse mass.
+    #[inline]
+    pub fn pull(&mut self, a: Node, b: Node, by: Vec3<S>, shift: u32) {
+        self.displace(a, by * self.inverse_mass[a], shift);
+        self.displace(b, -(by * self.inverse_mass[b]), shift);
     }
 
     /// Whether a particle is pinned.

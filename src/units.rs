@@ -66,6 +66,8 @@ pub struct DragRate {
     pub rate: f64,
     /// exp(−γ·h)
     pub decay: f64,
+    /// (1 − exp(−γ·h))/(γ·h)
+    pub gain: f64,
 }
 
 /// A wind's velocity and the strength of its pressure.
@@ -149,7 +151,10 @@ impl Units {
     /// A sheet's drag γ in 1/s.
     pub const fn drag(&self, per_second: f64) -> DragRate {
         let rate = per_second * self.substep();
-        DragRate { rate, decay: exp_minus(rate) }
+        let decay = exp_minus(rate);
+        // where the quotient loses its digits, its series has them all
+        let gain = if rate < 1e-4 { 1.0 - rate / 2.0 + rate * rate / 6.0 } else { (1.0 - decay) / rate };
+        DragRate { rate, decay, gain }
     }
 
     /// The drag that multiplies the displacement of a frame by `1 − fraction`, `0 ≤ fraction < 1`: position Verlet's damping
@@ -168,7 +173,8 @@ impl Units {
     pub const fn aerodynamic_wind(&self, metres_per_second: [f64; 3], density: f64, drag_coefficient: f64) -> Airflow {
         // ½·ρ·c·A·u², A = |n|/2 for the triangle's normal n = (b−a)×(c−a), a third of it on each corner
         let wind = self.velocity(metres_per_second).0;
-        let pressure = density * drag_coefficient * self.cell * self.cell * self.cell * self.substep() / (12.0 * self.mass * self.tick());
+        let pressure = density * drag_coefficient * self.cell * self.cell * self.cell * self.substep()
+            / (12.0 * self.mass * self.tick());
         Airflow { wind, pressure }
     }
 }
