@@ -85,7 +85,7 @@ fn a_scene_means_what_it_says() {
     assert_eq!((stretch.stiffness, stretch.damping), (100.0, 0.25));
     assert_eq!((shear.stiffness, shear.damping), (10.0, 0.0));
     assert_eq!(scene.tether_slack, Some(0.0));
-    assert_eq!((scene.gravity, scene.drag), ([0.0, 0.0, -9.81], Some(0.5)));
+    assert_eq!((scene.gravity, scene.drag.unwrap().rate), ([0.0, 0.0, -9.81], 0.5));
     let wind = scene.wind.unwrap();
     assert_eq!(wind.velocity, [5.0, 0.0, -3.0]);
     assert_eq!(wind.model, WindModel::Aerodynamic { density: 1.3, drag_coefficient: 1.5 });
@@ -127,7 +127,7 @@ fn density_spreads_by_the_area_around_each_particle() {
 #[test]
 fn verlet_damping_keeps_its_share_over_one_step() {
     let scene = Description::parse(&spoilt("drag = 0.5", "verlet_damping = 0.1")).unwrap();
-    let kept = (-scene.drag.unwrap() * scene.solver.step).exp();
+    let kept = (-scene.drag.unwrap().rate * scene.solver.step).exp();
     assert!((kept - 0.9).abs() < 1e-15);
     let none = Description::parse(&spoilt("drag = 0.5", "verlet_damping = 0")).unwrap();
     assert_eq!(none.drag, None);
@@ -185,7 +185,7 @@ fn the_thesis_scenes_share_their_sheet() {
         assert_eq!(scene.sheet.origin, [-5.0, -5.0, 0.0], "{name}");
         assert_eq!([scene.sheet.mass_at(0, 0), scene.sheet.mass_at(1, 1)], [1.0, 1.0], "{name}");
         assert_eq!(scene.solver.step, 0.1, "{name}");
-        assert!((scene.drag.unwrap() - 1.053_605).abs() < 1e-6, "{name}");
+        assert!((scene.drag.unwrap().rate - 1.053_605).abs() < 1e-6, "{name}");
         assert_eq!(scene.frames, if name == "no-shear" { 50 } else { 100 }, "{name}");
         assert_eq!(scene.spheres.len(), usize::from(matches!(name, "sphere" | "no-shear")), "{name}");
         assert_eq!(scene.wind.is_some(), name == "wind", "{name}");
@@ -285,7 +285,7 @@ fn numbers_out_of_range() {
         ("substeps = 8", "substeps = 0", "solver.substeps", "from 1 to 4294967295, is 0"),
         ("substeps = 8", "substeps = -8", "solver.substeps", "is -8"),
         ("iterations = 3", "iterations = 0", "solver.iterations", "is 0"),
-        ("strain_limit = 0.1", "strain_limit = -0.1", "solver.strain_limit", "must be zero or above"),
+        ("strain_limit = 0.1", "strain_limit = -0.1", "solver.strain_limit", "must be above zero"),
         ("frames = 20", "frames = 0", "run.frames", "is 0"),
         ("frames = 20", "frames = 99999999999", "run.frames", "is 99999999999"),
         ("columns = 24", "columns = 0", "cloth.columns", "is 0"),

@@ -25,8 +25,8 @@ pub struct Description {
     pub tether_slack: Option<f64>,
     /// Acceleration of gravity, m/s².
     pub gravity: [f64; 3],
-    /// Damping rate γ of the whole sheet, 1/s.
-    pub drag: Option<f64>,
+    /// Damping of the whole sheet.
+    pub drag: Option<Drag>,
     /// Moving air.
     pub wind: Option<Wind>,
     /// Balls.
@@ -123,6 +123,15 @@ pub struct Spring {
     pub damping: f64,
 }
 
+/// Damping of the whole sheet, `-m γ v` on a particle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drag {
+    /// γ, 1/s.
+    pub rate: f64,
+    /// Which key gave it: `drag` or `verlet_damping`.
+    pub key: &'static str,
+}
+
 /// Moving air.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wind {
@@ -201,13 +210,13 @@ pub struct Solver {
     pub step: f64,
     /// Solver steps per frame.
     pub substeps: u32,
-    /// Relaxation sweeps per substep, where the method has them.
+    /// Relaxation sweeps of position Verlet and Newton steps of backward Euler per substep; the others have none.
     pub iterations: u32,
     /// No link longer than `1 + strain_limit` times its rest length after a step.
     pub strain_limit: Option<f64>,
 }
 
-/// A method of [`kerchief::solver`](crate), by its name in a scene file.
+/// A method of [`solver`](crate::solver), by its name in a scene file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolverKind {
@@ -215,20 +224,17 @@ pub enum SolverKind {
     Verlet,
     /// Explicit Euler.
     ForwardEuler,
-    /// Implicit Euler, linearised.
+    /// Implicit Euler.
     BackwardEuler,
     /// Leapfrog (velocity Verlet).
     Leapfrog,
     /// Extended position-based dynamics.
     Xpbd,
-    /// Whole rows and columns of links at once.
-    Lines,
 }
 
 impl SolverKind {
     /// Every method.
-    pub const ALL: [Self; 6] =
-        [Self::Verlet, Self::ForwardEuler, Self::BackwardEuler, Self::Leapfrog, Self::Xpbd, Self::Lines];
+    pub const ALL: [Self; 5] = [Self::Verlet, Self::ForwardEuler, Self::BackwardEuler, Self::Leapfrog, Self::Xpbd];
 
     /// Its name in a scene file and on the command line.
     pub const fn name(self) -> &'static str {
@@ -238,7 +244,11 @@ impl SolverKind {
             Self::BackwardEuler => "backward-euler",
             Self::Leapfrog => "leapfrog",
             Self::Xpbd => "xpbd",
-            Self::Lines => "lines",
         }
+    }
+
+    /// The method of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
 }

@@ -203,7 +203,7 @@ pub(super) struct Solver {
     pub(super) step: Option<Positive>,
     pub(super) substeps: Option<Count>,
     pub(super) iterations: Option<Count>,
-    pub(super) strain_limit: Option<NonNegative>,
+    pub(super) strain_limit: Option<Positive>,
 }
 
 #[derive(Debug, Default, Deserialize)]

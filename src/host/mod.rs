@@ -13,7 +13,7 @@ mod shape;
 
 pub use builtin::{BUILT_IN, BuiltIn, DEFAULT_SCENE, built_in};
 pub use description::{
-    Capsule, Description, Plane, Pose, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Wind, WindModel,
+    Capsule, Description, Drag, Plane, Pose, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Wind, WindModel,
 };
 pub use error::SceneError;
 pub use shape::SHAPES;

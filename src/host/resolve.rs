@@ -4,7 +4,7 @@ use std::format;
 use std::vec::Vec;
 
 use super::description::{
-    Capsule, Description, Plane, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Wind, WindModel,
+    Capsule, Description, Drag, Plane, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Wind, WindModel,
 };
 use super::error::SceneError;
 use super::file::{self, File, Pins, Table};
@@ -43,7 +43,7 @@ impl File {
                 step,
                 substeps: solver.substeps.map_or(SUBSTEPS, Count::get),
                 iterations: solver.iterations.map_or(1, Count::get),
-                strain_limit: solver.strain_limit.map(NonNegative::get),
+                strain_limit: solver.strain_limit.map(Positive::get),
             },
             frames: self.run.0.frames.map_or(FRAMES, Count::get),
             name: self.name,
@@ -161,14 +161,14 @@ fn spring(table: &str, links: Option<&Table<file::Links>>) -> Result<Option<Spri
 }
 
 /// γ in 1/s. A step of position Verlet keeps `1 - D` of its displacement, which is `exp(-γ step)`.
-fn drag(environment: &file::Environment, step: f64) -> Result<Option<f64>, SceneError> {
+fn drag(environment: &file::Environment, step: f64) -> Result<Option<Drag>, SceneError> {
     let drag = environment.drag.map(NonNegative::get);
     let verlet = environment.verlet_damping.map(|damping| -(-damping.get()).ln_1p() / step);
     match one_of("environment", ("drag", drag), ("verlet_damping", verlet))? {
         Some((key, rate)) if !rate.is_finite() => {
             Err(SceneError::new(format!("environment.{key}"), "the damping rate in this step is not finite"))
         }
-        given => Ok(given.map(|(_, rate)| rate).filter(|rate| *rate > 0.0)),
+        given => Ok(given.map(|(key, rate)| Drag { rate, key }).filter(|drag| drag.rate > 0.0)),
     }
 }
 

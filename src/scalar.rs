@@ -1,0 +1,150 @@
+//! Numbers: `f32`, `f64` and fixed point behind one trait.
+//!
+//! This is the only room that knows a number's bits. Everything above it computes with [`Scalar`], in the sheet's own units
+//! (see [`Units`](crate::Units)), so that lengths are near one and fixed point loses nothing.
+//!
+//! Only `+ − × ÷` and the square root are used, each rounded once and always in the same order, so every number type gives the same
+//! bits on every target.
+
+mod fixed24;
+mod float;
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+
+pub use fixed24::Q24;
+
+/// A number that a sheet can be computed in.
+///
+/// Implemented for `f32`, `f64` and [`Q24`].
+pub trait Scalar:
+    Copy
+    + Debug
+    + Default
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + 'static
+{
+    /// The name by which programs choose the type.
+    const NAME: &'static str;
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+    /// One half.
+    const HALF: Self;
+    /// The largest magnitude that the type holds.
+    const LARGEST: f64;
+    /// The spacing of numbers just above one.
+    const RESOLUTION: f64;
+
+    /// A product of two numbers, wide enough for three of them to be added without overflow; exact in fixed point.
+    type Product: Copy + Debug + PartialOrd + Add<Output = Self::Product>;
+    /// A sum of many products, as the dot product of two whole sheets.
+    type Sum: Copy + Debug + PartialOrd;
+
+    /// The nearest number to `value`; beyond [`LARGEST`](Self::LARGEST) fixed point saturates.
+    ///
+    /// Integer arithmetic alone for fixed point: firmware links no float routine.
+    fn from_f64(value: f64) -> Self;
+
+    /// A whole number; `|value| ≤ LARGEST`.
+    fn from_int(value: i32) -> Self;
+
+    /// The value as `f64`, exact for all types.
+    fn to_f64(self) -> f64;
+
+    /// `self · factor`, for small whole factors.
+    #[must_use]
+    fn times(self, factor: i32) -> Self;
+
+    /// `self · 2^shift`.
+    #[must_use]
+    fn double(self, shift: u32) -> Self;
+
+    /// `self / 2^shift`, rounded to nearest.
+    #[must_use]
+    fn halve(self, shift: u32) -> Self;
+
+    /// The exact (fixed point) or rounded (float) product.
+    fn product(self, other: Self) -> Self::Product;
+
+    /// A product rounded to nearest; saturates in fixed point.
+    fn narrow(product: Self::Product) -> Self;
+
+    /// The square root of a sum of squares.
+    fn root(squares: Self::Product) -> Self;
+
+    /// `1/self`; zero has the largest number as its reciprocal in fixed point, infinity in float.
+    #[must_use]
+    fn recip(self) -> Self;
+
+    /// `self / divisor`.
+    #[must_use]
+    fn divide(self, divisor: Self) -> Self;
+
+    /// `1 − L/√squares`: the part of a link's vector by which it is longer than its rest length `L`.
+    ///
+    /// Multiplied by the link's vector this is its elongation as a vector. For coincident particles, which have no direction, the
+    /// result is finite.
+    fn elongation(squares: Self::Product, rest: &Rest<Self>) -> Self;
+
+    /// Adds a product to a sum.
+    fn accumulate(sum: Self::Sum, product: Self::Product) -> Self::Sum;
+
+    /// The empty sum.
+    const EMPTY: Self::Sum;
+
+    /// The quotient of two sums; `divisor > 0`.
+    fn quotient(dividend: Self::Sum, divisor: Self::Sum) -> Self;
+
+    /// The root of the mean of `count` squares.
+    fn root_mean(sum: Self::Sum, count: u32) -> Self;
+
+    /// Passes the number's bits, least significant byte first, to `hash`.
+    fn bits(self, hash: impl FnMut(u8));
+
+    /// Whether the number is neither infinite nor undefined; always true in fixed point.
+    fn is_finite(self) -> bool;
+
+    /// The magnitude.
+    #[must_use]
+    fn abs(self) -> Self {
+        if self < Self::ZERO { -self } else { self }
+    }
+
+    /// The larger of two numbers.
+    #[must_use]
+    fn max(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+
+    /// The smaller of two numbers.
+    #[must_use]
+    fn min(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+}
+
+/// A link's rest length, prepared for [`Scalar::elongation`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest<S> {
+    /// The length, cells.
+    pub length: S,
+    /// `1/length²`.
+    pub inverse_square: S,
+}
+
+impl<S: Scalar> Rest<S> {
+    /// The rest length of a link that spans `across` and `down` (cells).
+    pub fn spanning(across: S, down: S) -> Self {
+        let square = across.product(across) + down.product(down);
+        Self { length: S::root(square), inverse_square: S::narrow(square).recip() }
+    }
+}

@@ -1,0 +1,97 @@
+//! `f32` and `f64`.
+
+use super::{Rest, Scalar};
+
+macro_rules! float {
+    ($float:ty, $name:literal, $sqrt:path, $tiny:literal) => {
+        impl Scalar for $float {
+            const NAME: &'static str = $name;
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const HALF: Self = 0.5;
+            const LARGEST: f64 = <$float>::MAX as f64;
+            const RESOLUTION: f64 = <$float>::EPSILON as f64;
+            const EMPTY: Self = 0.0;
+
+            type Product = Self;
+            type Sum = Self;
+
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                value as Self
+            }
+            #[inline]
+            fn from_int(value: i32) -> Self {
+                value as Self
+            }
+            #[inline]
+            fn to_f64(self) -> f64 {
+                self as f64
+            }
+            #[inline]
+            fn times(self, factor: i32) -> Self {
+                self * factor as Self
+            }
+            #[inline]
+            fn double(self, shift: u32) -> Self {
+                self * (1_u32 << shift) as Self
+            }
+            #[inline]
+            fn halve(self, shift: u32) -> Self {
+                self * (1.0 / (1_u32 << shift) as Self)
+            }
+            #[inline]
+            fn product(self, other: Self) -> Self {
+                self * other
+            }
+            #[inline]
+            fn narrow(product: Self) -> Self {
+                product
+            }
+            #[inline]
+            fn root(squares: Self) -> Self {
+                $sqrt(squares)
+            }
+            #[inline]
+            fn recip(self) -> Self {
+                1.0 / self
+            }
+            #[inline]
+            fn divide(self, divisor: Self) -> Self {
+                self / divisor
+            }
+            #[inline]
+            fn elongation(squares: Self, rest: &Rest<Self>) -> Self {
+                // The floor keeps coincident particles finite; it is far below any length that rounding leaves.
+                1.0 - rest.length / $sqrt(Scalar::max(squares, $tiny))
+            }
+            #[inline]
+            fn accumulate(sum: Self, product: Self) -> Self {
+                sum + product
+            }
+            #[inline]
+            fn quotient(dividend: Self, divisor: Self) -> Self {
+                dividend / divisor
+            }
+            #[inline]
+            fn root_mean(sum: Self, count: u32) -> Self {
+                $sqrt(sum / count as Self)
+            }
+            #[inline]
+            fn bits(self, hash: impl FnMut(u8)) {
+                self.to_bits().to_le_bytes().into_iter().for_each(hash);
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                <$float>::is_finite(self)
+            }
+            #[inline]
+            fn abs(self) -> Self {
+                <$float>::abs(self)
+            }
+        }
+    };
+}
+
+float!(f32, "f32", libm::sqrtf, 1e-20);
+float!(f64, "f64", libm::sqrt, 1e-60);

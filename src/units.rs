@@ -1,0 +1,289 @@
+//! The sheet's own units, and the way into them from SI.
+//!
+//! The core counts lengths in cells, times in ticks and masses in particles, so that every number it meets is near one. A tick is a
+//! power of two of substeps, about one frame: a drift `x += v·h` is then a shift, and velocities keep their bits however small
+//! the substep is.
+//!
+//! Every method of [`Units`] is a `const fn`: firmware evaluates it when it is compiled and links no float routine.
+//!
+//! ```
+//! use kerchief::Units;
+//!
+//! const UNITS: Units = Units::sheet([16, 16], [0.3, 0.3], 1e-3, 1.0 / 60.0, 8);
+//! assert_eq!(UNITS.cell, 0.02);
+//! ```
+
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+
+/// How long a cell, a tick and a particle's mass are, and how a frame divides into substeps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Units {
+    /// The longer side of a cell, m.
+    pub cell: f64,
+    /// The sides of a cell along a row and along a column, in cells: one of them is 1.
+    pub sides: [f64; 2],
+    /// The mass of an ordinary particle, kg.
+    pub mass: f64,
+    /// A frame, s.
+    pub frame: f64,
+    /// Solver steps per frame.
+    pub substeps: u32,
+}
+
+/// Lengths from the origin, cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point(pub [f64; 3]);
+
+/// A length, cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Length(pub f64);
+
+/// A velocity, cells per tick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Velocity(pub [f64; 3]);
+
+/// The velocity that an acceleration adds in a substep, cells per tick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Acceleration(pub [f64; 3]);
+
+/// A spring's stiffness κ, or a damper's strength, against the inertia of a particle in one substep, as the quotient `dividend /
+/// divisor` of two numbers between 0 and 1: any material fits any number type.
+///
+/// κ = k·h²/m for a stiffness k, κ = d·h/m for a damping d.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strength {
+    /// min(κ, 1)
+    pub dividend: f64,
+    /// min(1/κ, 1)
+    pub divisor: f64,
+}
+
+/// What drag leaves of a velocity in a substep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DragRate {
+    /// γ·h
+    pub rate: f64,
+    /// exp(−γ·h)
+    pub decay: f64,
+    /// (1 − exp(−γ·h))/(γ·h)
+    pub gain: f64,
+}
+
+/// A wind's velocity and the strength of its pressure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Airflow {
+    /// For the facet model the velocity gain per cell², for the aerodynamic model the velocity in cells per tick.
+    pub wind: [f64; 3],
+    /// The aerodynamic model's factor; unused by the facet model.
+    pub pressure: f64,
+}
+
+impl Units {
+    /// The units of a sheet of `[columns, rows]` particles, `[width, height]` in m, whose ordinary particle has `mass` (kg), that
+    /// moves in frames of `frame` seconds divided into `substeps`.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for a sheet without extent, time or mass.
+    pub const fn sheet(particles: [usize; 2], size: [f64; 2], mass: f64, frame: f64, substeps: u32) -> Self {
+        let across = if particles[0] > 1 { size[0] / (particles[0] - 1) as f64 } else { 0.0 };
+        let down = if particles[1] > 1 { size[1] / (particles[1] - 1) as f64 } else { 0.0 };
+        let cell = if across > down { across } else { down };
+        assert!(cell > 0.0, "a sheet needs two particles and a positive size");
+        assert!(mass > 0.0, "a particle needs a positive mass");
+        assert!(frame > 0.0 && substeps > 0, "a frame needs a positive length and one substep at least");
+        Self { cell, sides: [across / cell, down / cell], mass, frame, substeps }
+    }
+
+    /// A substep, s.
+    pub const fn substep(&self) -> f64 {
+        self.frame / self.substeps as f64
+    }
+
+    /// The logarithm to base 2 of the substeps in a tick: the least whole number whose power covers a frame.
+    pub const fn shift(&self) -> u32 {
+        self.substeps.next_power_of_two().trailing_zeros()
+    }
+
+    /// A tick, s: about one frame, exactly one where `substeps` is a power of two.
+    pub const fn tick(&self) -> f64 {
+        self.substep() * (1_u64 << self.shift()) as f64
+    }
+
+    /// A length in m.
+    pub const fn length(&self, metres: f64) -> Length {
+        Length(metres / self.cell)
+    }
+
+    /// A place in m.
+    pub const fn point(&self, metres: [f64; 3]) -> Point {
+        Point(scaled(metres, 1.0 / self.cell))
+    }
+
+    /// A velocity in m/s.
+    pub const fn velocity(&self, metres_per_second: [f64; 3]) -> Velocity {
+        Velocity(scaled(metres_per_second, self.tick() / self.cell))
+    }
+
+    /// An acceleration in m/s².
+    pub const fn acceleration(&self, metres_per_second2: [f64; 3]) -> Acceleration {
+        Acceleration(scaled(metres_per_second2, self.substep() * self.tick() / self.cell))
+    }
+
+    /// A spring's stiffness in N/m.
+    pub const fn stiffness(&self, newtons_per_metre: f64) -> Strength {
+        Strength::new(newtons_per_metre * self.substep() * self.substep() / self.mass)
+    }
+
+    /// A spring's compliance in m/N; zero is rigid.
+    pub const fn compliance(&self, metres_per_newton: f64) -> Strength {
+        if metres_per_newton == 0.0 {
+            return Strength { dividend: 1.0, divisor: 0.0 };
+        }
+        self.stiffness(1.0 / metres_per_newton)
+    }
+
+    /// A link's damping in N·s/m.
+    pub const fn damping(&self, newton_seconds_per_metre: f64) -> Strength {
+        Strength::new(newton_seconds_per_metre * self.substep() / self.mass)
+    }
+
+    /// A sheet's drag γ in 1/s.
+    pub const fn drag(&self, per_second: f64) -> DragRate {
+        let rate = per_second * self.substep();
+        let decay = exp_minus(rate);
+        // where the quotient loses its digits, its series has them all
+        let gain = if rate < 1e-4 { 1.0 - rate / 2.0 + rate * rate / 6.0 } else { (1.0 - decay) / rate };
+        DragRate { rate, decay, gain }
+    }
+
+    /// The drag that multiplies the displacement of a frame by `1 − fraction`, `0 ≤ fraction < 1`: position Verlet's damping
+    /// factor.
+    pub const fn verlet_damping(&self, fraction: f64) -> DragRate {
+        self.drag(minus_ln(1.0 - fraction) / self.frame)
+    }
+
+    /// Wind of the facet model, m/s.
+    pub const fn facet_wind(&self, metres_per_second: [f64; 3]) -> Airflow {
+        let gain = self.cell * self.substep() * self.tick() / self.mass;
+        Airflow { wind: scaled(metres_per_second, gain), pressure: 0.0 }
+    }
+
+    /// Wind of the aerodynamic model: velocity in m/s, the air's density in kg/m³, the drag coefficient of a plate across the flow.
+    pub const fn aerodynamic_wind(&self, metres_per_second: [f64; 3], density: f64, drag_coefficient: f64) -> Airflow {
+        // ½·ρ·c·A·u², A = |n|/2 for the triangle's normal n = (b−a)×(c−a), a third of it on each corner
+        let wind = self.velocity(metres_per_second).0;
+        let pressure = density * drag_coefficient * self.cell * self.cell * self.cell * self.substep()
+            / (12.0 * self.mass * self.tick());
+        Airflow { wind, pressure }
+    }
+}
+
+impl Strength {
+    const fn new(strength: f64) -> Self {
+        if strength > 1.0 {
+            Self { dividend: 1.0, divisor: 1.0 / strength }
+        } else {
+            Self { dividend: strength, divisor: 1.0 }
+        }
+    }
+
+    /// κ
+    pub const fn value(self) -> f64 {
+        self.dividend / self.divisor
+    }
+}
+
+impl Point {
+    /// The nearest vector.
+    pub fn to_vec<S: Scalar>(self) -> Vec3<S> {
+        Vec3::from_f64(self.0)
+    }
+}
+
+const fn scaled(v: [f64; 3], factor: f64) -> [f64; 3] {
+    [v[0] * factor, v[1] * factor, v[2] * factor]
+}
+
+/// exp(−x) for x ≥ 0, by its series at x/2ⁿ ≤ ½ and n squarings: the standard library's is no `const fn`.
+const fn exp_minus(x: f64) -> f64 {
+    if x > 745.0 {
+        return 0.0;
+    }
+    let mut reduced = x;
+    let mut squarings = 0;
+    while reduced > 0.5 {
+        reduced *= 0.5;
+        squarings += 1;
+    }
+    let mut term = 1.0;
+    let mut sum = 1.0;
+    let mut k = 1;
+    while k < 18 {
+        term *= -reduced / k as f64;
+        sum += term;
+        k += 1;
+    }
+    while squarings > 0 {
+        sum *= sum;
+        squarings -= 1;
+    }
+    sum
+}
+
+/// −ln(x) for 0 < x ≤ 1, by Newton's method on `exp(−y) = x`.
+const fn minus_ln(x: f64) -> f64 {
+    let mut y = 0.0;
+    let mut k = 0;
+    while k < 64 {
+        let e = exp_minus(y);
+        // Halley's step converges from any start below the root
+        y += 2.0 * (e - x) / (e + x);
+        k += 1;
+    }
+    y
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UNITS: Units = Units::sheet([32, 32], [10.0, 10.0], 1.0, 0.1, 8);
+
+    #[test]
+    fn a_tick_is_a_frame_where_substeps_are_a_power_of_two() {
+        assert!((UNITS.tick() - 0.1).abs() < 1e-15);
+        let three = Units { substeps: 3, ..UNITS };
+        assert!((three.tick() - 4.0 * 0.1 / 3.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn exponentials_agree_with_the_standard_library() {
+        for x in [0.0, 1e-9, 0.1, 0.5, 1.0, 3.7, 20.0, 100.0] {
+            let expected = libm::exp(-x);
+            assert!((exp_minus(x) - expected).abs() <= 1e-13 * expected, "{x}");
+        }
+        assert_eq!(exp_minus(1e4), 0.0);
+        for x in [1.0, 0.9, 0.5, 0.01, 1e-6] {
+            assert!((minus_ln(x) + libm::log(x)).abs() < 1e-13, "{x}");
+        }
+    }
+
+    #[test]
+    fn verlet_damping_leaves_its_part_of_a_frames_displacement() {
+        let drag = UNITS.verlet_damping(0.1);
+        assert!((libm::pow(drag.decay, 8.0) - 0.9).abs() < 1e-14);
+        assert!((drag.rate - 1.053_605_156_578_263 * 0.0125).abs() < 1e-14);
+    }
+
+    #[test]
+    fn strengths_are_quotients_of_numbers_up_to_one() {
+        for k in [1e-12, 1.0, 94_270.0, 1e11] {
+            let strength = UNITS.stiffness(k);
+            assert!(strength.dividend <= 1.0 && strength.divisor <= 1.0);
+            assert!((strength.value() - k * 0.0125 * 0.0125).abs() < 1e-12 * strength.value());
+        }
+        assert_eq!(UNITS.compliance(0.0), Strength { dividend: 1.0, divisor: 0.0 });
+        assert_eq!(UNITS.compliance(1e-3), UNITS.stiffness(1e3));
+    }
+}

@@ -1,0 +1,142 @@
+//! Vectors of three numbers.
+
+use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+
+use crate::scalar::Scalar;
+
+/// A vector (x, y, z); z points up.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Vec3<S> {
+    /// To the right.
+    pub x: S,
+    /// Away from the viewer.
+    pub y: S,
+    /// Up.
+    pub z: S,
+}
+
+impl<S: Scalar> Vec3<S> {
+    /// The null vector.
+    pub const ZERO: Self = Self { x: S::ZERO, y: S::ZERO, z: S::ZERO };
+
+    /// The vector (x, y, z).
+    #[inline]
+    pub const fn new(x: S, y: S, z: S) -> Self {
+        Self { x, y, z }
+    }
+
+    /// The nearest vector to `values`.
+    #[inline]
+    pub fn from_f64([x, y, z]: [f64; 3]) -> Self {
+        Self::new(S::from_f64(x), S::from_f64(y), S::from_f64(z))
+    }
+
+    /// The components as `f64`.
+    #[inline]
+    pub fn to_f64(self) -> [f64; 3] {
+        [self.x.to_f64(), self.y.to_f64(), self.z.to_f64()]
+    }
+
+    /// The vector of each component passed through `f`.
+    #[inline]
+    #[must_use]
+    pub fn map(self, f: impl Fn(S) -> S) -> Self {
+        Self::new(f(self.x), f(self.y), f(self.z))
+    }
+
+    /// The scalar product in full width.
+    #[inline]
+    pub fn dot_wide(self, other: Self) -> S::Product {
+        self.x.product(other.x) + self.y.product(other.y) + self.z.product(other.z)
+    }
+
+    /// The scalar product, rounded once.
+    #[inline]
+    pub fn dot(self, other: Self) -> S {
+        S::narrow(self.dot_wide(other))
+    }
+
+    /// The vector product.
+    #[inline]
+    #[must_use]
+    pub fn cross(self, other: Self) -> Self {
+        Self::new(
+            self.y * other.z - self.z * other.y,
+            self.z * other.x - self.x * other.z,
+            self.x * other.y - self.y * other.x,
+        )
+    }
+
+    /// The squared length in full width: compared, it needs no root.
+    #[inline]
+    pub fn squared(self) -> S::Product {
+        self.dot_wide(self)
+    }
+
+    /// The length.
+    #[inline]
+    pub fn length(self) -> S {
+        S::root(self.squared())
+    }
+
+    /// `self · 2^shift`.
+    #[inline]
+    #[must_use]
+    pub fn double(self, shift: u32) -> Self {
+        self.map(|component| component.double(shift))
+    }
+
+    /// `self / 2^shift`, rounded to nearest.
+    #[inline]
+    #[must_use]
+    pub fn halve(self, shift: u32) -> Self {
+        self.map(|component| component.halve(shift))
+    }
+}
+
+impl<S: Scalar> Add for Vec3<S> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
+    }
+}
+
+impl<S: Scalar> Sub for Vec3<S> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
+    }
+}
+
+impl<S: Scalar> Neg for Vec3<S> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        self.map(|component| -component)
+    }
+}
+
+impl<S: Scalar> Mul<S> for Vec3<S> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, factor: S) -> Self {
+        self.map(|component| component * factor)
+    }
+}
+
+impl<S: Scalar> AddAssign for Vec3<S> {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<S: Scalar> SubAssign for Vec3<S> {
+    #[inline]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
