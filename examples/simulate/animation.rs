@@ -14,7 +14,7 @@ const SAMPLED: i32 = 7;
 
 /// The colours of an animation.
 #[derive(Debug)]
-pub struct Palette {
+pub(crate) struct Palette {
     colours: Vec<u8>,
     /// The nearest colour by the upper 6 bits of red, green and blue.
     nearest: Vec<u8>,
@@ -22,12 +22,13 @@ pub struct Palette {
 
 impl Palette {
     /// The best colours for these pictures.
-    pub fn of<'a>(pictures: impl IntoIterator<Item = &'a RgbImage>) -> Self {
+    pub(crate) fn of<'a>(pictures: impl IntoIterator<Item = &'a RgbImage>) -> Self {
         let opaque = |Rgb([red, green, blue]): &Rgb<u8>| [*red, *green, *blue, 255];
         let pixels: Vec<u8> = pictures.into_iter().flat_map(|picture| picture.pixels().flat_map(opaque)).collect();
         let quantizer = NeuQuant::new(SAMPLED, COLOURS, &pixels);
         let middle = |bits: usize| ((bits & 63) << 2 | 2) as u8;
-        let nearest = |bits: usize| quantizer.index_of(&[middle(bits >> 12), middle(bits >> 6), middle(bits), 255]) as u8;
+        let nearest =
+            |bits: usize| quantizer.index_of(&[middle(bits >> 12), middle(bits >> 6), middle(bits), 255]) as u8;
         Self { nearest: (0..1 << 18).map(nearest).collect(), colours: quantizer.color_map_rgb() }
     }
 
@@ -38,7 +39,7 @@ impl Palette {
 }
 
 /// A GIF being written; it repeats for ever.
-pub struct Animation<'a, W: Write> {
+pub(crate) struct Animation<'a, W: Write> {
     encoder: Encoder<W>,
     palette: &'a Palette,
     shown: Vec<u8>,
@@ -49,14 +50,14 @@ pub struct Animation<'a, W: Write> {
 
 impl<'a, W: Write> Animation<'a, W> {
     /// Begins an animation of pictures of `width` × `height`.
-    pub fn new(file: W, width: u16, height: u16, palette: &'a Palette) -> Result<Self, EncodingError> {
+    pub(crate) fn new(file: W, width: u16, height: u16, palette: &'a Palette) -> Result<Self, EncodingError> {
         let mut encoder = Encoder::new(file, width, height, &palette.colours)?;
         encoder.set_repeat(Repeat::Infinite)?;
         Ok(Self { encoder, palette, shown: Vec::new(), due: 0.0, given: 0.0 })
     }
 
     /// Shows `picture` for `seconds`.
-    pub fn show(&mut self, picture: &RgbImage, seconds: f64) -> Result<(), EncodingError> {
+    pub(crate) fn show(&mut self, picture: &RgbImage, seconds: f64) -> Result<(), EncodingError> {
         let width = picture.width() as usize;
         let indices: Vec<u8> = picture.pixels().map(|pixel| self.palette.index(pixel)).collect();
         let changed = |at: &usize| self.shown.get(*at) != Some(&indices[*at]);

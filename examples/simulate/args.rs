@@ -9,43 +9,43 @@ use kerchief::host::{DEFAULT_SCENE, Description, ScalarKind, SolverKind};
 /// Runs a scene of cloth: writes an animation and a report, or opens a window.
 #[derive(Debug, Parser)]
 #[command(name = "simulate", version)]
-pub struct Args {
+pub(crate) struct Args {
     /// A scene file, or a built-in scene: gravity, sphere, wind, no-shear, flag, curtain, drape
     #[arg(default_value = DEFAULT_SCENE)]
-    pub scene: String,
+    pub(crate) scene: String,
     /// Number type
     #[arg(long, value_name = "TYPE", default_value = ScalarKind::F32.name(), value_parser = scalar_kind())]
-    pub scalar: ScalarKind,
+    pub(crate) scalar: ScalarKind,
     /// Solver, instead of the scene's
     #[arg(long, value_name = "KIND", value_parser = solver_kind())]
-    pub solver: Option<SolverKind>,
+    pub(crate) solver: Option<SolverKind>,
     /// Solver steps per frame, instead of the scene's
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..))]
-    pub substeps: Option<u32>,
+    pub(crate) substeps: Option<u32>,
     /// Relaxation sweeps per substep, instead of the scene's
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..))]
-    pub iterations: Option<u32>,
+    pub(crate) iterations: Option<u32>,
     /// Number of frames, instead of the scene's
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..))]
-    pub frames: Option<u32>,
+    pub(crate) frames: Option<u32>,
     /// Where pictures and data go
     #[arg(long, value_name = "DIR", default_value = "out")]
-    pub out: PathBuf,
+    pub(crate) out: PathBuf,
     /// Write animation.gif (as a run does that is asked for nothing else)
     #[arg(long)]
-    pub gif: bool,
+    pub(crate) gif: bool,
     /// Write every recorded frame as frame-NNNNN.png
     #[arg(long)]
-    pub png: bool,
+    pub(crate) png: bool,
     /// Write positions.csv
     #[arg(long)]
-    pub csv: bool,
+    pub(crate) csv: bool,
     /// Record every Nth frame; the first and the last always
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..))]
-    pub every: u32,
+    pub(crate) every: u32,
     /// Open a live window instead; needs the cargo feature `window`
     #[arg(long, conflicts_with_all = ["gif", "png", "csv"])]
-    pub window: bool,
+    pub(crate) window: bool,
 }
 
 fn scalar_kind() -> impl TypedValueParser<Value = ScalarKind> {
@@ -60,7 +60,7 @@ fn solver_kind() -> impl TypedValueParser<Value = SolverKind> {
 
 impl Args {
     /// The command line, or the one line that says what is wrong with it. Help and version print themselves and exit.
-    pub fn read() -> Result<Self, String> {
+    pub(crate) fn read() -> Result<Self, String> {
         Self::try_parse().map_err(|error| {
             if !error.use_stderr() {
                 error.exit();
@@ -73,12 +73,12 @@ impl Args {
     }
 
     /// Whether an animation is to be written.
-    pub fn animation(&self) -> bool {
+    pub(crate) fn animation(&self) -> bool {
         self.gif || !(self.png || self.csv)
     }
 
     /// Puts what the command line says over what the scene says.
-    pub fn override_scene(&self, scene: &mut Description) {
+    pub(crate) fn override_scene(&self, scene: &mut Description) {
         let solver = &mut scene.solver;
         solver.kind = self.solver.unwrap_or(solver.kind);
         solver.substeps = self.substeps.unwrap_or(solver.substeps);

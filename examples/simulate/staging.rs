@@ -8,14 +8,14 @@ use tempfile::{Builder, NamedTempFile};
 
 /// A file written beside its place and moved there when it is complete; dropped before that, it leaves nothing.
 #[derive(Debug)]
-pub struct Staged {
+pub(crate) struct Staged {
     file: BufWriter<NamedTempFile>,
     place: PathBuf,
 }
 
 impl Staged {
     /// Opens the file that will stand in `directory` under `name`.
-    pub fn create(directory: &Path, name: &str) -> Result<Self, String> {
+    pub(crate) fn create(directory: &Path, name: &str) -> Result<Self, String> {
         let mut builder = Builder::new();
         builder.prefix(".").suffix(name);
         #[cfg(unix)]
@@ -25,14 +25,14 @@ impl Staged {
     }
 
     /// Moves the file to its place.
-    pub fn finish(self) -> Result<(), String> {
+    pub(crate) fn finish(self) -> Result<(), String> {
         let failed = |error: &io::Error| failed(&self.place, error);
         let file = self.file.into_inner().map_err(|error| failed(error.error()))?;
         file.persist(&self.place).map(drop).map_err(|error| failed(&error.error))
     }
 
     /// `result`, with the file's name in its error.
-    pub fn named<T, E: std::fmt::Display>(&self, result: Result<T, E>) -> Result<T, String> {
+    pub(crate) fn named<T, E: std::fmt::Display>(&self, result: Result<T, E>) -> Result<T, String> {
         result.map_err(|error| format!("{}: {error}", self.place.display()))
     }
 }
@@ -48,7 +48,7 @@ impl Write for Staged {
 }
 
 /// Makes the directory `--out` and makes sure that files can be written there.
-pub fn prepare(directory: &Path) -> Result<(), String> {
+pub(crate) fn prepare(directory: &Path) -> Result<(), String> {
     fs::create_dir_all(directory).map_err(|error| format!("--out: {}", failed(directory, &error)))?;
     Staged::create(directory, "probe").map(drop).map_err(|error| format!("--out: {error}"))
 }

@@ -7,6 +7,8 @@ macro_rules! for_each_shape {
     };
 }
 
+pub(super) use for_each_shape;
+
 macro_rules! list {
     ($(($columns:literal, $rows:literal))*) => {
         /// Every grid a scene file may ask for, as `(columns, rows)`.
