@@ -25,6 +25,14 @@ pub struct Moment {
     pub shift: u32,
 }
 
+impl Moment {
+    /// The time since the frame's start, ticks (at most one).
+    #[inline]
+    pub fn ticks<S: Scalar>(self) -> S {
+        S::ONE.halve(self.shift).times(self.substep as i32)
+    }
+}
+
 /// Something in the sheet's way.
 pub trait Collider<S: Scalar> {
     /// Whether there is anything at all.

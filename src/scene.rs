@@ -76,7 +76,7 @@ impl<F, L, C, V> Scene<F, L, C, V> {
     ) {
         // a frame is substeps/2^shift ticks, between a half and one
         let way = target - cloth.position[node];
-        let ticks = S::ONE.halve(self.shift).times(self.substeps as i32);
+        let ticks: S = Moment { substep: self.substeps, shift: self.shift }.ticks();
         cloth.velocity[node] = way.map(|component| component.divide(ticks));
     }
 }

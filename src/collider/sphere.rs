@@ -41,7 +41,7 @@ impl<S: Scalar> Sphere<S> {
 impl<S: Scalar> Collider<S> for Sphere<S> {
     #[inline]
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
-        let travelled = self.velocity.map(|v| v.times(moment.substep as i32).halve(moment.shift));
+        let travelled = self.velocity * moment.ticks();
         let d = position - (self.centre + travelled);
         let squared = d.squared();
         // no contact: no root
@@ -57,6 +57,6 @@ impl<S: Scalar> Collider<S> for Sphere<S> {
 
     #[inline]
     fn advance(&mut self, substeps: u32, shift: u32) {
-        self.centre += self.velocity.map(|v| v.times(substeps as i32).halve(shift));
+        self.centre += self.velocity * Moment { substep: substeps, shift }.ticks();
     }
 }
