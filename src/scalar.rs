@@ -72,6 +72,10 @@ pub trait Scalar:
     #[must_use]
     fn halve(self, shift: u32) -> Self;
 
+    /// `self · halves/2 · 2^shift`.
+    #[must_use]
+    fn rate(self, halves: u32, shift: u32) -> Self;
+
     /// The exact (fixed point) or rounded (float) product.
     fn product(self, other: Self) -> Self::Product;
 

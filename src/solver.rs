@@ -22,9 +22,10 @@ mod verlet;
 mod xpbd;
 
 use crate::cloth::Cloth;
-use crate::collider::{Collider, Moment, resolve};
+use crate::collider::{Collider, resolve};
 use crate::force::Force;
 use crate::link::Links;
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 
 pub use backward_euler::BackwardEuler;
@@ -69,6 +70,6 @@ fn confine<S: Scalar, F, L: Links<S>, C: Collider<S>, const W: usize, const H: u
     cloth: &mut Cloth<S, W, H>,
     moment: Moment,
 ) {
-    physics.links.confine(cloth, moment.shift);
+    physics.links.confine(cloth, moment);
     resolve(physics.colliders, cloth, moment);
 }

@@ -189,6 +189,11 @@ impl Scalar for Q24 {
     }
 
     #[inline]
+    fn rate(self, halves: u32, shift: u32) -> Self {
+        self.times(halves as i32).double(shift).halve(1)
+    }
+
+    #[inline]
     fn product(self, other: Self) -> i64 {
         i64::from(self.to_bits()) * i64::from(other.to_bits())
     }

@@ -41,6 +41,10 @@ macro_rules! float {
                 self * (1.0 / (1_u32 << shift) as Self)
             }
             #[inline]
+            fn rate(self, halves: u32, shift: u32) -> Self {
+                self * ((halves << shift) as Self * 0.5)
+            }
+            #[inline]
             fn product(self, other: Self) -> Self {
                 self * other
             }

@@ -5,6 +5,7 @@
 
 use crate::cloth::Cloth;
 use crate::link::{Family, Links, Visitor, each};
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 
 /// Projects every spring once, at one part in `parts` of its stiffness.
@@ -12,15 +13,15 @@ use crate::scalar::Scalar;
 pub(super) fn sweep<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     links: &L,
     cloth: &mut Cloth<S, W, H>,
-    shift: u32,
+    moment: Moment,
     parts: u32,
 ) {
-    links.springs(&mut Project { cloth, shift, parts });
+    links.springs(&mut Project { cloth, moment, parts });
 }
 
 struct Project<'a, S, const W: usize, const H: usize> {
     cloth: &'a mut Cloth<S, W, H>,
-    shift: u32,
+    moment: Moment,
     parts: u32,
 }
 
@@ -38,7 +39,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W,
             }
             let part = if inverse_mass == two { ordinary } else { strength.against(inverse_mass) };
             let d = self.cloth.position[b] - self.cloth.position[a];
-            self.cloth.pull(a, b, d * (S::elongation(d.squared(), &family.rest) * part), self.shift);
+            self.cloth.pull(a, b, d * (S::elongation(d.squared(), &family.rest) * part), self.moment);
         });
     }
 }
