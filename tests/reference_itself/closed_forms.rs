@@ -1,9 +1,8 @@
 //! The reference against the cases that mathematics solves, and these against each other.
 
-mod reference;
-
-use reference::closed_forms::*;
-use reference::{Family, Model, Pose, STRETCH, Sheet, State, Wind};
+use super::acceleration;
+use crate::reference::closed_forms::*;
+use crate::reference::{Family, Model, Pose, STRETCH, Sheet, State, Wind};
 
 const G: f64 = 9.81;
 
@@ -18,9 +17,7 @@ fn assert_near(a: f64, b: f64, tolerance: f64) {
 }
 
 fn largest_acceleration(model: &Model, state: &State) -> f64 {
-    let mut a = vec![[0.0; 3]; state.position.len()];
-    model.ode().acceleration(state, &mut a);
-    a.iter().flatten().fold(0.0, |m, a| m.max(a.abs()))
+    acceleration(model, state).iter().flatten().fold(0.0, |m, a| m.max(a.abs()))
 }
 
 #[test]
