@@ -24,8 +24,17 @@ fn density_spreads_the_mass_of_the_area() {
     // A cell of 2 m² weighs 1 kg: a corner has a quarter of it, an edge two, the inside four.
     assert_eq!([share(0, 0), share(1, 0), share(3, 1), share(1, 1)], [0.25, 0.5, 0.5, 1.0]);
     let hemmed = sheet.clone().with_hem(2.0);
-    assert_eq!(hemmed.masses[0], 0.5);
-    assert_eq!(hemmed.masses[hemmed.index((2, 1))], 1.0);
+    assert_eq!(hemmed.masses, [[0.5, 1.0, 1.0, 0.5], [1.0, 1.0, 1.0, 1.0], [0.5, 1.0, 1.0, 0.5]].concat());
+}
+
+#[test]
+fn pins_are_where_they_are_named() {
+    let sheet = Sheet::new(Pose::Hang, [3, 2], [1.0, 1.0]);
+    assert_eq!(sheet.clone().with_top_pinned().pins, [(0, 0), (1, 0), (2, 0)]);
+    assert_eq!(sheet.clone().with_left_pinned().pins, [(0, 0), (0, 1)]);
+    let model = Model { gravity: [0.0, 0.0, -2.0], ..Model::new(sheet.with_pins(&[(2, 0)]).with_pins(&[(0, 1)])) };
+    let fall = acceleration(&model, &model.start()).iter().map(|a| a[2]).collect::<Vec<_>>();
+    assert_eq!(fall, [-2.0, -2.0, 0.0, 0.0, -2.0, -2.0]);
 }
 
 #[test]
