@@ -1,6 +1,7 @@
 //! The state of a sheet.
 
 use crate::grid::{Grid, Node};
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Point, Units};
 use crate::vec3::Vec3;
@@ -84,18 +85,18 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     }
 
     /// Moves a particle within a substep: its velocity takes part, so that it stays the sum of what moved the particle. (The difference
-    /// of two positions would lose its digits.) `shift` is that of [`Units::shift`].
+    /// of two positions would lose its digits.)
     #[inline]
-    pub fn displace(&mut self, node: Node, by: Vec3<S>, shift: u32) {
+    pub fn displace(&mut self, node: Node, by: Vec3<S>, moment: Moment) {
         self.position[node] += by;
-        self.velocity[node] += by.double(shift);
+        self.velocity[node] += moment.velocity(by);
     }
 
     /// Moves `a` by `by` and `b` against it, each times its inverse mass.
     #[inline]
-    pub fn pull(&mut self, a: Node, b: Node, by: Vec3<S>, shift: u32) {
-        self.displace(a, by * self.inverse_mass[a], shift);
-        self.displace(b, -(by * self.inverse_mass[b]), shift);
+    pub fn pull(&mut self, a: Node, b: Node, by: Vec3<S>, moment: Moment) {
+        self.displace(a, by * self.inverse_mass[a], moment);
+        self.displace(b, -(by * self.inverse_mass[b]), moment);
     }
 
     /// Whether a particle is pinned.

@@ -9,21 +9,13 @@ mod sphere;
 
 use crate::cloth::Cloth;
 use crate::grid::Grid;
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
 pub use capsule::Capsule;
 pub use plane::Plane;
 pub use sphere::Sphere;
-
-/// A moment within a frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Moment {
-    /// The substep, counted from 1.
-    pub substep: u32,
-    /// That of [`Units::shift`](crate::Units::shift).
-    pub shift: u32,
-}
 
 /// Something in the sheet's way.
 pub trait Collider<S: Scalar> {
@@ -33,9 +25,9 @@ pub trait Collider<S: Scalar> {
     /// By how much a particle at `position`, `moved` so far in this substep, has to move; `None` where it may stay.
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>>;
 
-    /// Moves the collider on to the end of a frame of `substeps`.
+    /// Moves the collider on to `end`, the end of a frame.
     #[inline]
-    fn advance(&mut self, _substeps: u32, _shift: u32) {}
+    fn advance(&mut self, _end: Moment) {}
 }
 
 /// Moves every free particle out of `colliders`.
@@ -52,9 +44,9 @@ pub(crate) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>
         if cloth.is_pinned(node) {
             continue;
         }
-        let moved = cloth.velocity[node].halve(moment.shift);
+        let moved = moment.displacement(cloth.velocity[node]);
         if let Some(by) = colliders.contact(moment, cloth.position[node], moved) {
-            cloth.displace(node, by, moment.shift);
+            cloth.displace(node, by, moment);
         }
     }
 }
@@ -93,9 +85,9 @@ impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {
     }
 
     #[inline]
-    fn advance(&mut self, substeps: u32, shift: u32) {
+    fn advance(&mut self, end: Moment) {
         for collider in self {
-            collider.advance(substeps, shift);
+            collider.advance(end);
         }
     }
 }
@@ -107,8 +99,8 @@ impl<S: Scalar, T: Collider<S>, const N: usize> Collider<S> for heapless::Vec<T,
     }
 
     #[inline]
-    fn advance(&mut self, substeps: u32, shift: u32) {
-        self.as_mut_slice().advance(substeps, shift);
+    fn advance(&mut self, end: Moment) {
+        self.as_mut_slice().advance(end);
     }
 }
 
@@ -140,10 +132,10 @@ macro_rules! tuple {
             }
 
             #[inline]
-            fn advance(&mut self, substeps: u32, shift: u32) {
+            fn advance(&mut self, end: Moment) {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
-                $($name.advance(substeps, shift);)+
+                $($name.advance(end);)+
             }
         }
     };

@@ -4,7 +4,6 @@
 
 mod wind;
 
-use crate::cloth::Cloth;
 use crate::scalar::Scalar;
 use crate::units::{Acceleration, DragRate};
 use crate::vec3::Vec3;
@@ -15,7 +14,7 @@ pub use wind::{AerodynamicWind, FacetWind};
 ///
 /// What a force leaves at its default costs nothing.
 pub trait Force<S: Scalar> {
-    /// Whether the force is a field that [`row`](Self::row) evaluates.
+    /// Whether the force is a field that [`particles`](Self::particles) or [`cells`](Self::cells) evaluates.
     const FIELD: bool = false;
     /// Whether the field depends on velocities.
     const FOLLOWS_VELOCITY: bool = false;
@@ -34,17 +33,22 @@ pub trait Force<S: Scalar> {
         Slowdown::NONE
     }
 
-    /// Adds the velocities that particles of mass 1 in `row` (to `upper`) and in the next row (to `lower`) gain in a substep (cells
-    /// per tick) from what acts on the particles of `row` and the cells below it.
+    /// Adds the velocities that the particles of a row would gain in a substep if their mass were 1 (cells per tick).
     #[inline]
-    fn row<const W: usize, const H: usize>(
-        &self,
-        _cloth: &Cloth<S, W, H>,
-        _row: usize,
-        _upper: &mut [Vec3<S>; W],
-        _lower: &mut [Vec3<S>; W],
-    ) {
-    }
+    fn particles<const W: usize>(&self, _row: Row<'_, S, W>, _gain: &mut [Vec3<S>; W]) {}
+
+    /// Adds the velocities that the particles of two neighbouring rows would gain from the cells between them.
+    #[inline]
+    fn cells<const W: usize>(&self, _rows: [Row<'_, S, W>; 2], _gains: [&mut [Vec3<S>; W]; 2]) {}
+}
+
+/// A row of particles.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<'a, S, const W: usize> {
+    /// Where they are, cells.
+    pub position: &'a [Vec3<S>; W],
+    /// How fast they move, cells per tick.
+    pub velocity: &'a [Vec3<S>; W],
 }
 
 /// The exact effect of a drag γ on a substep h: `v(h) = decay·v + gain·h·a` under a constant acceleration a.
@@ -139,15 +143,16 @@ impl<S: Scalar, T: Force<S>> Force<S> for Option<T> {
     }
 
     #[inline]
-    fn row<const W: usize, const H: usize>(
-        &self,
-        cloth: &Cloth<S, W, H>,
-        row: usize,
-        upper: &mut [Vec3<S>; W],
-        lower: &mut [Vec3<S>; W],
-    ) {
+    fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut [Vec3<S>; W]) {
         if let Some(force) = self {
-            force.row(cloth, row, upper, lower);
+            force.particles(row, gain);
+        }
+    }
+
+    #[inline]
+    fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut [Vec3<S>; W]; 2]) {
+        if let Some(force) = self {
+            force.cells(rows, gains);
         }
     }
 }
@@ -176,16 +181,17 @@ macro_rules! tuple {
             }
 
             #[inline]
-            fn row<const W: usize, const H: usize>(
-                &self,
-                cloth: &Cloth<S, W, H>,
-                row: usize,
-                upper: &mut [Vec3<S>; W],
-                lower: &mut [Vec3<S>; W],
-            ) {
+            fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut [Vec3<S>; W]) {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
-                $($name.row(cloth, row, upper, lower);)+
+                $($name.particles(row, gain);)+
+            }
+
+            #[inline]
+            fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], [upper, lower]: [&mut [Vec3<S>; W]; 2]) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.cells(rows, [upper, lower]);)+
             }
         }
     };

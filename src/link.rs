@@ -9,6 +9,7 @@ mod spring;
 mod tether;
 
 use crate::cloth::Cloth;
+use crate::moment::Moment;
 use crate::scalar::{Rest, Scalar};
 use crate::units::Strength;
 
@@ -30,10 +31,9 @@ pub trait Links<S: Scalar> {
     #[inline]
     fn dampers<V: Visitor<S>>(&self, _visitor: &mut V) {}
 
-    /// Moves particles, once the springs are done, until what the links forbid is no more; `shift` turns a displacement in a
-    /// substep into a velocity.
+    /// Moves particles, once the springs are done, until what the links forbid is no more.
     #[inline]
-    fn confine<const W: usize, const H: usize>(&self, _cloth: &mut Cloth<S, W, H>, _shift: u32) {}
+    fn confine<const W: usize, const H: usize>(&self, _cloth: &mut Cloth<S, W, H>, _moment: Moment) {}
 }
 
 /// Sees families of links one by one.
@@ -78,10 +78,10 @@ impl<S: Scalar> Quotient<S> {
         self.dividend.divide(self.divisor + self.dividend * inverse_mass)
     }
 
-    /// κ/`parts`, for a spring that acts in several parts.
+    /// κ times a factor up to 1.
     #[must_use]
-    pub fn shared(self, parts: u32) -> Self {
-        Self { dividend: self.dividend.divide(S::from_int(parts as i32)), divisor: self.divisor }
+    pub fn scaled(self, factor: S) -> Self {
+        Self { dividend: self.dividend * factor, divisor: self.divisor }
     }
 }
 
@@ -106,9 +106,9 @@ impl<S: Scalar, T: Links<S>> Links<S> for Option<T> {
     }
 
     #[inline]
-    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, shift: u32) {
+    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
         if let Some(links) = self {
-            links.confine(cloth, shift);
+            links.confine(cloth, moment);
         }
     }
 }
@@ -133,10 +133,10 @@ macro_rules! tuple {
             }
 
             #[inline]
-            fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, shift: u32) {
+            fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
-                $($name.confine(cloth, shift);)+
+                $($name.confine(cloth, moment);)+
             }
         }
     };

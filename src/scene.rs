@@ -1,10 +1,11 @@
 //! The description of what happens to a sheet, and the step.
 
 use crate::cloth::Cloth;
-use crate::collider::{Collider, Moment};
+use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::Node;
 use crate::link::Links;
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver};
 use crate::units::Units;
@@ -53,7 +54,7 @@ impl<F, L, C, V> Scene<F, L, C, V> {
     {
         let Self { forces, links, colliders, solver, substeps, shift } = self;
         for substep in 1..=*substeps {
-            let moment = Moment { substep, shift: *shift };
+            let moment = Moment { substep, shift: *shift, halves: 2 };
             solver.substep(Physics { forces, links, colliders }, cloth, memory, moment);
         }
     }
@@ -63,7 +64,7 @@ impl<F, L, C, V> Scene<F, L, C, V> {
     where
         C: Collider<S>,
     {
-        self.colliders.advance(self.substeps, self.shift);
+        self.colliders.advance(self.end());
     }
 
     /// Lets a pin travel to `target` in the next frame. It goes on at the same speed until it is told otherwise: call this for every frame in
@@ -76,7 +77,11 @@ impl<F, L, C, V> Scene<F, L, C, V> {
     ) {
         // a frame is substeps/2^shift ticks, between a half and one
         let way = target - cloth.position[node];
-        let ticks = S::ONE.halve(self.shift).times(self.substeps as i32);
+        let ticks: S = self.end().ticks();
         cloth.velocity[node] = way.map(|component| component.divide(ticks));
+    }
+
+    fn end(&self) -> Moment {
+        Moment { substep: self.substeps, shift: self.shift, halves: 2 }
     }
 }

@@ -16,20 +16,23 @@ mod backward_euler;
 mod force_sum;
 mod forward_euler;
 mod leapfrog;
+mod lines;
 mod predict;
 mod sweep;
 mod verlet;
 mod xpbd;
 
 use crate::cloth::Cloth;
-use crate::collider::{Collider, Moment, resolve};
+use crate::collider::{Collider, resolve};
 use crate::force::Force;
 use crate::link::Links;
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 
 pub use backward_euler::BackwardEuler;
 pub use forward_euler::ForwardEuler;
 pub use leapfrog::Leapfrog;
+pub use lines::Lines;
 pub use verlet::Verlet;
 pub use xpbd::Xpbd;
 
@@ -69,6 +72,6 @@ fn confine<S: Scalar, F, L: Links<S>, C: Collider<S>, const W: usize, const H: u
     cloth: &mut Cloth<S, W, H>,
     moment: Moment,
 ) {
-    physics.links.confine(cloth, moment.shift);
+    physics.links.confine(cloth, moment);
     resolve(physics.colliders, cloth, moment);
 }

@@ -1,6 +1,7 @@
 //! A rod with round ends.
 
-use crate::collider::{Collider, Moment, respond};
+use crate::collider::{Collider, respond};
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Length, Point};
 use crate::vec3::Vec3;

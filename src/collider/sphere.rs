@@ -1,6 +1,7 @@
 //! A ball.
 
-use crate::collider::{Collider, Moment, respond};
+use crate::collider::{Collider, respond};
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Length, Point, Velocity};
 use crate::vec3::Vec3;
@@ -41,7 +42,7 @@ impl<S: Scalar> Sphere<S> {
 impl<S: Scalar> Collider<S> for Sphere<S> {
     #[inline]
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
-        let travelled = self.velocity.map(|v| v.times(moment.substep as i32).halve(moment.shift));
+        let travelled = self.velocity * moment.ticks();
         let d = position - (self.centre + travelled);
         let squared = d.squared();
         // no contact: no root
@@ -51,12 +52,12 @@ impl<S: Scalar> Collider<S> for Sphere<S> {
         let distance = S::root(squared);
         let up = Vec3::new(S::ZERO, S::ZERO, S::ONE);
         let normal = if distance == S::ZERO { up } else { d.map(|component| component.divide(distance)) };
-        let slid = moved - self.velocity.halve(moment.shift);
+        let slid = moved - moment.displacement(self.velocity);
         Some(respond(normal, self.reach - distance, slid, self.friction))
     }
 
     #[inline]
-    fn advance(&mut self, substeps: u32, shift: u32) {
-        self.centre += self.velocity.map(|v| v.times(substeps as i32).halve(shift));
+    fn advance(&mut self, end: Moment) {
+        self.centre += self.velocity * end.ticks();
     }
 }

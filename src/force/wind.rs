@@ -2,8 +2,7 @@
 //!
 //! Each cell with the particles p = (c, r), q = (c+1, r), s = (c, r+1), t = (c+1, r+1) has the triangles (q, p, s) and (t, q, s).
 
-use crate::cloth::Cloth;
-use crate::force::Force;
+use crate::force::{Force, Row};
 use crate::scalar::Scalar;
 use crate::units::Airflow;
 use crate::vec3::Vec3;
@@ -26,14 +25,8 @@ impl<S: Scalar> Force<S> for FacetWind<S> {
     const FIELD: bool = true;
 
     #[inline]
-    fn row<const W: usize, const H: usize>(
-        &self,
-        cloth: &Cloth<S, W, H>,
-        row: usize,
-        upper: &mut [Vec3<S>; W],
-        lower: &mut [Vec3<S>; W],
-    ) {
-        triangles(cloth, row, upper, lower, |corners, _| {
+    fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut [Vec3<S>; W]; 2]) {
+        triangles(rows, gains, |corners, _| {
             let n = normal(corners);
             let length = n.length();
             if length == S::ZERO { Vec3::ZERO } else { n * n.dot(self.wind).divide(length) }
@@ -63,15 +56,9 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
     const FOLLOWS_VELOCITY: bool = true;
 
     #[inline]
-    fn row<const W: usize, const H: usize>(
-        &self,
-        cloth: &Cloth<S, W, H>,
-        row: usize,
-        upper: &mut [Vec3<S>; W],
-        lower: &mut [Vec3<S>; W],
-    ) {
+    fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut [Vec3<S>; W]; 2]) {
         let third = S::ONE.divide(S::from_int(3));
-        triangles(cloth, row, upper, lower, |corners, [a, b, c]| {
+        triangles(rows, gains, |corners, [a, b, c]| {
             let n = normal(corners);
             let length = n.length();
             if length == S::ZERO {
@@ -90,26 +77,19 @@ fn normal<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Vec3<S> {
     (b - a).cross(c - a)
 }
 
-/// Adds `gain(positions, velocities)` to the corners of both triangles of each cell below `row`.
+/// Adds `gain(positions, velocities)` to the corners of both triangles of each cell between two rows.
 #[inline]
-fn triangles<S: Scalar, const W: usize, const H: usize>(
-    cloth: &Cloth<S, W, H>,
-    row: usize,
-    upper: &mut [Vec3<S>; W],
-    lower: &mut [Vec3<S>; W],
+fn triangles<S: Scalar, const W: usize>(
+    [top, bottom]: [Row<'_, S, W>; 2],
+    [upper, lower]: [&mut [Vec3<S>; W]; 2],
     gain: impl Fn([Vec3<S>; 3], [Vec3<S>; 3]) -> Vec3<S>,
 ) {
-    if row + 1 >= H {
-        return;
-    }
-    let (x, v) = (&cloth.position.0, &cloth.velocity.0);
     for left in 0..W.saturating_sub(1) {
         let right = left + 1;
-        let below = row + 1;
-        let (p, q, s, t) = ((row, left), (row, right), (below, left), (below, right));
-        let [first, second] = [[q, p, s], [t, q, s]].map(|corners| {
-            gain(corners.map(|(row, column)| x[row][column]), corners.map(|(row, column)| v[row][column]))
-        });
+        let [p, q] = [left, right].map(|column| (top.position[column], top.velocity[column]));
+        let [s, t] = [left, right].map(|column| (bottom.position[column], bottom.velocity[column]));
+        let [first, second] =
+            [[q, p, s], [t, q, s]].map(|corners| gain(corners.map(|(x, _)| x), corners.map(|(_, v)| v)));
         upper[left] += first;
         upper[right] += first + second;
         lower[left] += first + second;

@@ -3,6 +3,7 @@
 
 use crate::cloth::Cloth;
 use crate::link::{Family, Links, Visitor, each};
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 
 /// The most sweeps that a step spends on overlong links. Sweeps end as soon as there is none; one is usual, a few hundred are met
@@ -37,10 +38,10 @@ impl<S: Scalar, L: Links<S>> Links<S> for StrainLimited<L, S> {
         self.links.dampers(visitor);
     }
 
-    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, shift: u32) {
-        self.links.confine(cloth, shift);
+    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
+        self.links.confine(cloth, moment);
         for _ in 0..MOST_SWEEPS {
-            let mut sweep = Shorten { cloth, shift, allowed: self.allowed, found: false };
+            let mut sweep = Shorten { cloth, moment, allowed: self.allowed, found: false };
             self.links.springs(&mut sweep);
             if !sweep.found {
                 break;
@@ -51,7 +52,7 @@ impl<S: Scalar, L: Links<S>> Links<S> for StrainLimited<L, S> {
 
 struct Shorten<'a, S, const W: usize, const H: usize> {
     cloth: &'a mut Cloth<S, W, H>,
-    shift: u32,
+    moment: Moment,
     allowed: S,
     found: bool,
 }
@@ -74,7 +75,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Shorten<'_, S, W,
             }
             self.found = true;
             let part = (S::ONE - target.divide(S::root(squared))).divide(inverse_mass);
-            self.cloth.pull(a, b, d * part, self.shift);
+            self.cloth.pull(a, b, d * part, self.moment);
         });
     }
 }

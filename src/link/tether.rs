@@ -8,6 +8,7 @@ use heapless::Vec;
 use crate::cloth::Cloth;
 use crate::grid::{Grid, Node};
 use crate::link::Links;
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::Units;
 
@@ -30,7 +31,7 @@ impl<S: Scalar, const N: usize> Tether<S, N> {
 }
 
 impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
-    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, shift: u32) {
+    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
         for &anchor in &self.anchors {
             let pin = cloth.position[anchor];
             for node in Grid::<S, W, H>::nodes() {
@@ -45,7 +46,7 @@ impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
                 // slack: no root
                 if squared > longest {
                     let part = S::ONE - S::root(longest).divide(S::root(squared));
-                    cloth.displace(node, d * part, shift);
+                    cloth.displace(node, d * part, moment);
                 }
             }
         }

@@ -41,6 +41,10 @@ macro_rules! float {
                 self * (1.0 / (1_u32 << shift) as Self)
             }
             #[inline]
+            fn rate(self, halves: u32, shift: u32) -> Self {
+                self * ((halves << shift) as Self * 0.5)
+            }
+            #[inline]
             fn product(self, other: Self) -> Self {
                 self * other
             }
@@ -64,6 +68,11 @@ macro_rules! float {
             fn elongation(squares: Self, rest: &Rest<Self>) -> Self {
                 // The floor keeps coincident particles finite; it is far below any length that rounding leaves.
                 1.0 - rest.length / $sqrt(Scalar::max(squares, $tiny))
+            }
+            #[inline]
+            fn gauge(squares: Self, rest: &Rest<Self>) -> (Self, Self) {
+                let length = $sqrt(Scalar::max(squares, $tiny));
+                (length - rest.length, 1.0 / length)
             }
             #[inline]
             fn accumulate(sum: Self, product: Self) -> Self {

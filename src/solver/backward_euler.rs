@@ -12,10 +12,11 @@
 //! positive definite because a compressed link's sideways stiffness, which is negative, is left out. That changes the way to the root, not the root.
 
 use crate::cloth::Cloth;
-use crate::collider::{Collider, Moment};
+use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::{Grid, Node};
 use crate::link::{Family, Links, Visitor, each};
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, predict};
 use crate::vec3::Vec3;
@@ -74,7 +75,7 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
             for node in Grid::<S, W, H>::nodes() {
                 let step = memory.step[node];
                 memory.correction[node] += step;
-                cloth.displace(node, step, shift);
+                cloth.displace(node, step, moment);
             }
         }
         confine(physics, cloth, moment);

@@ -5,6 +5,7 @@ use crate::force::Force;
 use crate::grid::{Grid, Node};
 use crate::link::{Family, Links, Visitor, each};
 use crate::scalar::Scalar;
+use crate::solver::predict::field;
 use crate::vec3::Vec3;
 
 /// The velocities that particles gain in a substep (cells per tick), gravity included, drag not.
@@ -17,12 +18,11 @@ pub(super) fn gains<S: Scalar, F: Force<S>, L: Links<S>, const W: usize, const H
 ) {
     *gain = Grid::filled(Vec3::ZERO);
     if F::FIELD {
-        let mut upper = [Vec3::ZERO; W];
+        let mut row_gain = [Vec3::ZERO; W];
         for row in 0..H {
-            let mut lower = [Vec3::ZERO; W];
-            forces.row(cloth, row, &mut upper, &mut lower);
-            gain.0[row] = upper;
-            upper = lower;
+            let below = field(forces, cloth, row, &mut row_gain);
+            gain.0[row] = row_gain;
+            row_gain = below;
         }
     }
     links.springs(&mut Springs { cloth, gain, shift });

@@ -1,10 +1,11 @@
 //! Forward Euler: `x' = x + h·v`, `v' = v + h·a(x, v)` (thesis, chapter 4).
 
 use crate::cloth::Cloth;
-use crate::collider::{Collider, Moment};
+use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::Grid;
 use crate::link::Links;
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, force_sum, predict};
 use crate::vec3::Vec3;

@@ -1,10 +1,11 @@
 //! Leapfrog in its drift–kick–drift form: `x½ = x + h/2·v`, `v' = v + h·a(x½)`, `x' = x½ + h/2·v'`.
 
 use crate::cloth::Cloth;
-use crate::collider::{Collider, Moment};
+use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::Grid;
 use crate::link::Links;
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, force_sum, predict};
 use crate::vec3::Vec3;

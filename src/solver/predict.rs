@@ -1,7 +1,7 @@
 //! Where particles would go if nothing held them together: the first half of the constraint solvers.
 
 use crate::cloth::Cloth;
-use crate::force::Force;
+use crate::force::{Force, Row};
 use crate::grid::{Grid, Node};
 use crate::link::{Family, Links, Visitor, each};
 use crate::scalar::Scalar;
@@ -19,23 +19,39 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     next: impl Fn(Vec3<S>, Vec3<S>) -> Vec3<S>,
 ) {
     let uniform = forces.uniform();
-    let mut upper = [Vec3::ZERO; W];
+    let mut gain = [Vec3::ZERO; W];
     for row in 0..H {
-        let mut lower = [Vec3::ZERO; W];
-        if F::FIELD {
-            forces.row(cloth, row, &mut upper, &mut lower);
-        }
+        let below = field(forces, cloth, row, &mut gain);
         for column in 0..W {
             let node = Node { column, row };
             let inverse_mass = cloth.inverse_mass[node];
             if inverse_mass != S::ZERO {
-                let gain = if F::FIELD { upper[column] * inverse_mass + uniform } else { uniform };
+                let gain = if F::FIELD { gain[column] * inverse_mass + uniform } else { uniform };
                 cloth.velocity[node] = next(cloth.velocity[node], gain);
             }
         }
-        upper = lower;
+        gain = below;
     }
     drift(cloth, shift);
+}
+
+/// Completes what the fields give to a row of particles of mass 1, and returns what they give to the next row so far.
+#[inline]
+pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
+    forces: &F,
+    cloth: &Cloth<S, W, H>,
+    row: usize,
+    gain: &mut [Vec3<S>; W],
+) -> [Vec3<S>; W] {
+    let mut below = [Vec3::ZERO; W];
+    if F::FIELD {
+        let particles = |row: usize| Row { position: &cloth.position.0[row], velocity: &cloth.velocity.0[row] };
+        forces.particles(particles(row), gain);
+        if row + 1 < H {
+            forces.cells([particles(row), particles(row + 1)], [gain, &mut below]);
+        }
+    }
+    below
 }
 
 /// Moves every particle with its velocity for `1/2^shift` of a tick.

@@ -5,6 +5,7 @@
 
 use crate::cloth::Cloth;
 use crate::link::{Family, Links, Visitor, each};
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 
 /// Projects every spring once, at one part in `parts` of its stiffness.
@@ -12,22 +13,50 @@ use crate::scalar::Scalar;
 pub(super) fn sweep<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     links: &L,
     cloth: &mut Cloth<S, W, H>,
-    shift: u32,
+    moment: Moment,
     parts: u32,
 ) {
-    links.springs(&mut Project { cloth, shift, parts });
+    links.springs(&mut Project { cloth, moment, parts });
+}
+
+/// Projects every spring but those along rows and columns between neighbours once, with stiffnesses times `softness`.
+#[inline]
+pub(super) fn sweep_soft<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
+    links: &L,
+    cloth: &mut Cloth<S, W, H>,
+    moment: Moment,
+    softness: S,
+) {
+    links.springs(&mut Soft { cloth, moment, softness });
+}
+
+struct Soft<'a, S, const W: usize, const H: usize> {
+    cloth: &'a mut Cloth<S, W, H>,
+    moment: Moment,
+    softness: S,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Soft<'_, S, W, H> {
+    #[inline]
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        if ACROSS + DOWN > 1 {
+            let strength = family.strength.scaled(self.softness);
+            Project { cloth: self.cloth, moment: self.moment, parts: 1 }
+                .family::<ACROSS, DOWN>(&Family { strength, ..*family });
+        }
+    }
 }
 
 struct Project<'a, S, const W: usize, const H: usize> {
     cloth: &'a mut Cloth<S, W, H>,
-    shift: u32,
+    moment: Moment,
     parts: u32,
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        let strength = if self.parts == 1 { family.strength } else { family.strength.shared(self.parts) };
+        let strength = if self.parts == 1 { family.strength } else { family.strength.scaled(S::from_int(self.parts as i32).recip()) };
         // nearly all links join two ordinary particles: their quotient is formed once
         let two = S::ONE + S::ONE;
         let ordinary = strength.against(two);
@@ -38,7 +67,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W,
             }
             let part = if inverse_mass == two { ordinary } else { strength.against(inverse_mass) };
             let d = self.cloth.position[b] - self.cloth.position[a];
-            self.cloth.pull(a, b, d * (S::elongation(d.squared(), &family.rest) * part), self.shift);
+            self.cloth.pull(a, b, d * (S::elongation(d.squared(), &family.rest) * part), self.moment);
         });
     }
 }

@@ -1,9 +1,10 @@
 //! Position Verlet with repeated relaxation (thesis, chapter 5; T. Jakobsen, *Advanced character physics*, 2001).
 
 use crate::cloth::Cloth;
-use crate::collider::{Collider, Moment};
+use crate::collider::Collider;
 use crate::force::Force;
 use crate::link::Links;
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, predict, sweep};
 
@@ -37,7 +38,7 @@ impl<S: Scalar> Solver<S> for Verlet {
             if F::DRAG { velocity * decay + gain } else { velocity + gain }
         });
         for _ in 0..self.sweeps {
-            sweep::sweep(physics.links, cloth, moment.shift, self.sweeps);
+            sweep::sweep(physics.links, cloth, moment, self.sweeps);
         }
         confine(physics, cloth, moment);
     }

@@ -1,9 +1,10 @@
 //! XPBD with one sweep in each of many substeps (M. Macklin and others, *Small steps in physics simulation*, 2019).
 
 use crate::cloth::Cloth;
-use crate::collider::{Collider, Moment};
+use crate::collider::Collider;
 use crate::force::Force;
 use crate::link::Links;
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, predict, sweep};
 
@@ -31,7 +32,7 @@ impl<S: Scalar> Solver<S> for Xpbd {
         predict::predict(physics.forces, cloth, moment.shift, |velocity, gain| {
             if F::DRAG { velocity * drag.decay + gain * drag.gain } else { velocity + gain }
         });
-        sweep::sweep(physics.links, cloth, moment.shift, 1);
+        sweep::sweep(physics.links, cloth, moment, 1);
         confine(physics, cloth, moment);
     }
 }
