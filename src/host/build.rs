@@ -7,10 +7,11 @@ use super::description::{Description, Pose, Spring, Surface, Wind, WindModel};
 use super::error::SceneError;
 use super::fit::Fit;
 use crate::cloth::Cloth;
-use crate::collider::{Capsule, Collider, Moment, Plane, Sphere};
+use crate::collider::{Capsule, Collider, Plane, Sphere};
 use crate::force::{AerodynamicWind, Drag, FacetWind, Gravity};
 use crate::grid::Node;
 use crate::link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether, Visitor};
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Strength, Units};
 use crate::vec3::Vec3;
@@ -41,15 +42,15 @@ impl<S: Scalar> Links<S> for SceneLinks<S> {
         self.springs.dampers(visitor);
     }
 
-    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, shift: u32) {
-        self.tether.confine(cloth, shift);
-        self.limit.confine(cloth, shift);
+    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
+        self.tether.confine(cloth, moment);
+        self.limit.confine(cloth, moment);
     }
 }
 
 /// Something in the sheet's way.
 #[derive(Debug)]
-pub(super) enum Obstacle<S> {
+enum Obstacle<S> {
     Sphere(Sphere<S>),
     Plane(Plane<S>),
     Capsule(Capsule<S>),
@@ -64,24 +65,46 @@ impl<S: Scalar> Collider<S> for Obstacle<S> {
         }
     }
 
-    fn advance(&mut self, substeps: u32, shift: u32) {
+    fn advance(&mut self, end: Moment) {
         if let Self::Sphere(sphere) = self {
-            sphere.advance(substeps, shift);
+            sphere.advance(end);
         }
     }
 }
 
 /// Everything in the sheet's way.
 #[derive(Debug)]
-pub(super) struct Obstacles<S>(pub(super) Vec<Obstacle<S>>);
+pub(super) struct Obstacles<S>(Vec<Obstacle<S>>);
+
+impl<S: Scalar> Obstacles<S> {
+    /// Where the balls are, m.
+    pub(super) fn centres(&self, units: &Units) -> Vec<[f64; 3]> {
+        let centre = |obstacle: &Obstacle<S>| match obstacle {
+            Obstacle::Sphere(sphere) => Some(sphere.centre.to_f64().map(|component| component * units.cell)),
+            _ => None,
+        };
+        self.0.iter().filter_map(centre).collect()
+    }
+
+    /// Moves the balls to `centres`, m.
+    pub(super) fn set_centres(&mut self, units: &Units, centres: &[[f64; 3]]) {
+        let spheres = self.0.iter_mut().filter_map(|obstacle| match obstacle {
+            Obstacle::Sphere(sphere) => Some(sphere),
+            _ => None,
+        });
+        for (sphere, centre) in spheres.zip(centres) {
+            sphere.centre = units.point(*centre).to_vec();
+        }
+    }
+}
 
 impl<S: Scalar> Collider<S> for Obstacles<S> {
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
         self.0.as_slice().contact(moment, position, moved)
     }
 
-    fn advance(&mut self, substeps: u32, shift: u32) {
-        self.0.as_mut_slice().advance(substeps, shift);
+    fn advance(&mut self, end: Moment) {
+        self.0.as_mut_slice().advance(end);
     }
 }
 
@@ -100,7 +123,7 @@ impl Description {
         Ok(Units::sheet(particles, size, sheet.mass, self.solver.step, self.solver.substeps))
     }
 
-    /// The sheet at its start.
+    /// The sheet at its start, without pins.
     pub(super) fn cloth<S: Scalar, const W: usize, const H: usize>(
         &self,
         units: &Units,
@@ -133,9 +156,6 @@ impl Description {
             cloth.hem(Fit::<S>::number("cloth.hem", hem)?);
             Fit::<S>::number("cloth.hem", 4.0 / hem)?;
             Fit::<S>::number("cloth.hem", 1.0 / hem)?;
-        }
-        for &[column, row] in &sheet.pins {
-            cloth.pin(Node { column, row });
         }
         Ok(cloth)
     }

@@ -230,11 +230,14 @@ pub enum SolverKind {
     Leapfrog,
     /// Extended position-based dynamics.
     Xpbd,
+    /// Whole rows and columns of links at once.
+    Lines,
 }
 
 impl SolverKind {
     /// Every method.
-    pub const ALL: [Self; 5] = [Self::Verlet, Self::ForwardEuler, Self::BackwardEuler, Self::Leapfrog, Self::Xpbd];
+    pub const ALL: [Self; 6] =
+        [Self::Verlet, Self::ForwardEuler, Self::BackwardEuler, Self::Leapfrog, Self::Xpbd, Self::Lines];
 
     /// Its name in a scene file and on the command line.
     pub const fn name(self) -> &'static str {
@@ -244,6 +247,7 @@ impl SolverKind {
             Self::BackwardEuler => "backward-euler",
             Self::Leapfrog => "leapfrog",
             Self::Xpbd => "xpbd",
+            Self::Lines => "lines",
         }
     }
 

@@ -13,6 +13,7 @@ mod quantity;
 mod resolve;
 mod run;
 mod shape;
+mod solver;
 
 pub use builtin::{BUILT_IN, BuiltIn, DEFAULT_SCENE, built_in};
 pub use description::{

@@ -3,18 +3,17 @@
 use std::boxed::Box;
 use std::vec::Vec;
 
-use super::build::{Forces, Obstacle, Obstacles, SceneLinks, air, gravity};
-use super::description::{Description, SolverKind, Wind};
+use super::build::{Forces, Obstacles, SceneLinks, air, gravity};
+use super::description::{Description, Wind};
 use super::error::SceneError;
-use super::fit::Fit;
 use super::shape::for_each_shape;
+use super::solver::{AnySolver, Memory};
 use crate::cloth::Cloth;
 use crate::grid::{Grid, Node};
 use crate::link::Links;
 use crate::measure::{self, digest, elastic_energy, gravitational_energy, is_finite, kinetic_energy};
 use crate::scalar::{Q24, Scalar};
 use crate::scene::Scene;
-use crate::solver::{BackwardEuler, ForwardEuler, Leapfrog, Solver, Verlet, Xpbd};
 use crate::units::Units;
 use crate::vec3::Vec3;
 
@@ -138,7 +137,7 @@ fn shaped<S: Scalar + Send>(description: &Description) -> Result<Box<dyn Simulat
     macro_rules! choose {
         ($(($columns:literal, $rows:literal))*) => {
             match (description.sheet.columns, description.sheet.rows) {
-                $(($columns, $rows) => solved::<S, $columns, $rows>(description),)*
+                $(($columns, $rows) => Running::<S, $columns, $rows>::boxed(description),)*
                 _ => Err(SceneError::new("cloth.columns", "unsupported grid")),
             }
         };
@@ -146,72 +145,44 @@ fn shaped<S: Scalar + Send>(description: &Description) -> Result<Box<dyn Simulat
     for_each_shape!(choose)
 }
 
-fn solved<S: Scalar + Send, const W: usize, const H: usize>(
-    description: &Description,
-) -> Result<Box<dyn Simulation>, SceneError> {
-    let sweeps = description.solver.iterations;
-    match description.solver.kind {
-        SolverKind::Verlet => {
-            // A sweep divides stiffness by their number.
-            Fit::<S>::number("solver.iterations", f64::from(sweeps))?;
-            Running::<S, _, W, H>::boxed(description, Verlet { sweeps })
-        }
-        SolverKind::ForwardEuler => Running::<S, _, W, H>::boxed(description, ForwardEuler),
-        SolverKind::BackwardEuler => Running::<S, _, W, H>::boxed(description, BackwardEuler { newton_steps: sweeps }),
-        SolverKind::Leapfrog => Running::<S, _, W, H>::boxed(description, Leapfrog),
-        SolverKind::Xpbd => Running::<S, _, W, H>::boxed(description, Xpbd),
-    }
-}
-
-struct Running<S: Scalar, V: Solver<S>, const W: usize, const H: usize> {
+struct Running<S: Scalar, const W: usize, const H: usize> {
     units: Units,
     gravity: [f64; 3],
-    scene: Scene<Forces<S>, SceneLinks<S>, Obstacles<S>, V>,
+    scene: Scene<Forces<S>, SceneLinks<S>, Obstacles<S>, AnySolver>,
     cloth: Cloth<S, W, H>,
     /// Inverse masses of the sheet without pins.
     unpinned: Grid<S, W, H>,
-    memory: V::Memory<W, H>,
+    memory: Memory<S, W, H>,
 }
 
-impl<S, V, const W: usize, const H: usize> Running<S, V, W, H>
-where
-    S: Scalar + Send,
-    V: Solver<S, Memory<W, H>: Send> + Send + 'static,
-{
-    fn boxed(description: &Description, solver: V) -> Result<Box<dyn Simulation>, SceneError> {
+impl<S: Scalar + Send, const W: usize, const H: usize> Running<S, W, H> {
+    fn boxed(description: &Description) -> Result<Box<dyn Simulation>, SceneError> {
         let units = description.units()?;
-        let cloth = description.cloth(&units)?;
-        let mut free = description.clone();
-        free.sheet.pins.clear();
-        let unpinned = free.cloth::<S, W, H>(&units)?.inverse_mass;
+        let mut cloth = description.cloth::<S, W, H>(&units)?;
+        let unpinned = cloth.inverse_mass;
+        for &[column, row] in &description.sheet.pins {
+            cloth.pin(Node { column, row });
+        }
         let forces = description.forces(&units)?;
         let (links, obstacles) = (description.links(&units)?, description.obstacles(&units)?);
-        let scene = Scene::new(&units, forces, links, obstacles, solver);
+        let scene = Scene::new(&units, forces, links, obstacles, AnySolver::new::<S>(description)?);
         let memory = scene.memory();
         Ok(Box::new(Self { units, gravity: description.gravity, scene, cloth, unpinned, memory }))
     }
 }
 
-impl<S, V, const W: usize, const H: usize> Simulation for Running<S, V, W, H>
-where
-    S: Scalar + Send,
-    V: Solver<S, Memory<W, H>: Send> + Send + 'static,
-{
+impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S, W, H> {
     fn frame(&mut self) {
         self.scene.step(&mut self.cloth, &mut self.memory);
         self.scene.advance::<S>();
     }
 
     fn positions(&self) -> Vec<[f64; 3]> {
-        self.cloth.position.values().map(|x| scaled(*x, self.units.cell)).collect()
+        scaled(self.cloth.position.0.as_flattened(), self.units.cell)
     }
 
     fn spheres(&self) -> Vec<[f64; 3]> {
-        let centre = |obstacle: &Obstacle<S>| match obstacle {
-            Obstacle::Sphere(sphere) => Some(scaled(sphere.centre, self.units.cell)),
-            _ => None,
-        };
-        self.scene.colliders.0.iter().filter_map(centre).collect()
+        self.scene.colliders.centres(&self.units)
     }
 
     fn strains(&self) -> Strains {
@@ -242,24 +213,21 @@ where
         let speed = self.units.cell / self.units.tick();
         State {
             positions: self.positions(),
-            velocities: self.cloth.velocity.values().map(|v| scaled(*v, speed)).collect(),
-            pinned: self.cloth.inverse_mass.values().map(|inverse| *inverse == S::ZERO).collect(),
+            velocities: scaled(self.cloth.velocity.0.as_flattened(), speed),
+            pinned: self.cloth.inverse_mass.0.as_flattened().iter().map(|inverse| *inverse == S::ZERO).collect(),
             spheres: self.spheres(),
         }
     }
 
     fn restore(&mut self, state: &State) {
-        for (index, node) in Grid::<S, W, H>::nodes().enumerate() {
-            self.cloth.position[node] = self.units.point(state.positions[index]).to_vec();
-            self.cloth.velocity[node] = Vec3::from_f64(self.units.velocity(state.velocities[index]).0);
-            self.cloth.inverse_mass[node] = if state.pinned[index] { S::ZERO } else { self.unpinned[node] };
+        let Cloth { position, velocity, inverse_mass } = &mut self.cloth;
+        let unpinned = self.unpinned.0.as_flattened();
+        for (index, inverse_mass) in inverse_mass.0.as_flattened_mut().iter_mut().enumerate() {
+            *inverse_mass = if state.pinned[index] { S::ZERO } else { unpinned[index] };
         }
-        let mut centres = state.spheres.iter();
-        for obstacle in &mut self.scene.colliders.0 {
-            if let Obstacle::Sphere(sphere) = obstacle {
-                sphere.centre = centres.next().map_or(sphere.centre, |centre| self.units.point(*centre).to_vec());
-            }
-        }
+        read(position.0.as_flattened_mut(), &state.positions, |x| self.units.point(x).0);
+        read(velocity.0.as_flattened_mut(), &state.velocities, |v| self.units.velocity(v).0);
+        self.scene.colliders.set_centres(&self.units, &state.spheres);
         self.memory = self.scene.memory();
     }
 
@@ -284,8 +252,16 @@ where
     }
 }
 
-fn scaled<S: Scalar>(v: Vec3<S>, unit: f64) -> [f64; 3] {
-    v.to_f64().map(|component| component * unit)
+// Functions of slices: they are compiled for each number type, not for each grid.
+
+fn scaled<S: Scalar>(vectors: &[Vec3<S>], unit: f64) -> Vec<[f64; 3]> {
+    vectors.iter().map(|vector| vector.to_f64().map(|component| component * unit)).collect()
+}
+
+fn read<S: Scalar>(vectors: &mut [Vec3<S>], values: &[[f64; 3]], units: impl Fn([f64; 3]) -> [f64; 3]) {
+    for (vector, value) in vectors.iter_mut().zip(values) {
+        *vector = Vec3::from_f64(units(*value));
+    }
 }
 
 fn strain<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, links: &impl Links<S>) -> Strain {

@@ -105,9 +105,14 @@ fn predict_first<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
         memory.earlier[node] = v;
     }
     let slowed = (S::ONE + forces.drag().rate).recip();
-    predict::predict(forces, cloth, moment.shift, |velocity, gain| {
-        if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
-    });
+    predict::predict(
+        forces,
+        cloth,
+        moment.shift,
+        |velocity, gain| {
+            if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
+        },
+    );
 }
 
 /// `v̂ = (v + (v − v₋)/3 + (2/3)·gain)/(1 + (2/3)·γ·h)`, `x̂ = x + ((x − x₋) + 2·h·v̂)/3`.
