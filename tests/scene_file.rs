@@ -282,7 +282,7 @@ fn numbers_out_of_range() {
         ("b = [0.0, 0.0, 1.0]", "b = [0.0, 0.0, 0.0]", "capsule[0].b", "must differ from a"),
         ("step = 0.1", "step = 0.0", "solver.step", "must be above zero"),
         ("step = 0.1", "step = -0.1", "solver.step", "must be above zero"),
-        ("substeps = 8", "substeps = 0", "solver.substeps", "from 1 to 4294967295, is 0"),
+        ("substeps = 8", "substeps = 0", "solver.substeps", "from 1 to 1048576, is 0"),
         ("substeps = 8", "substeps = -8", "solver.substeps", "is -8"),
         ("iterations = 3", "iterations = 0", "solver.iterations", "is 0"),
         ("strain_limit = 0.1", "strain_limit = -0.1", "solver.strain_limit", "must be above zero"),

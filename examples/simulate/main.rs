@@ -32,6 +32,9 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<(), String> {
     let mut scene = load(&args.scene)?;
     args.override_scene(&mut scene);
+    if args.window {
+        return Err("--window: built without the cargo feature `window`; add --features window".to_string());
+    }
     let mut simulation = scene.simulation(args.scalar).map_err(|error| format!("{}: {error}", args.scene))?;
     staging::prepare(&args.out)?;
     let mut positions = args.csv.then(|| Positions::create(&args.out)).transpose()?;

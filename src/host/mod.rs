@@ -20,5 +20,6 @@ pub use description::{
     Capsule, Description, Drag, Plane, Pose, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Wind, WindModel,
 };
 pub use error::SceneError;
+pub use quantity::MOST;
 pub use run::{ScalarKind, Simulation, State, Strain, Strains};
 pub use shape::SHAPES;

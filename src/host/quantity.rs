@@ -116,7 +116,10 @@ impl<'de> Deserialize<'de> for Vector {
     }
 }
 
-/// A whole number from 1 to `u32::MAX`.
+/// The most of anything that a scene counts: substeps, frames.
+pub const MOST: u32 = 1 << 20;
+
+/// A whole number from 1 to [`MOST`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Count(u32);
 
@@ -137,8 +140,8 @@ impl<'de> Deserialize<'de> for Count {
             }
             fn visit_i64<E: Error>(self, value: i64) -> Result<Count, E> {
                 match u32::try_from(value) {
-                    Ok(count) if count > 0 => Ok(Count(count)),
-                    _ => Err(E::custom(format!("must be a whole number from 1 to {}, is {value}", u32::MAX))),
+                    Ok(count) if (1..=MOST).contains(&count) => Ok(Count(count)),
+                    _ => Err(E::custom(format!("must be a whole number from 1 to {MOST}, is {value}"))),
                 }
             }
         }
