@@ -149,17 +149,17 @@ struct Running<S: Scalar, const W: usize, const H: usize> {
     units: Units,
     gravity: [f64; 3],
     scene: Scene<Forces<S>, SceneLinks<S>, Obstacles<S>, AnySolver>,
-    cloth: Cloth<S, W, H>,
+    cloth: Box<Cloth<S, W, H>>,
     /// Inverse masses of the sheet without pins.
-    unpinned: Grid<S, W, H>,
+    unpinned: Box<Grid<S, W, H>>,
     memory: Memory<S, W, H>,
 }
 
 impl<S: Scalar + Send, const W: usize, const H: usize> Running<S, W, H> {
     fn boxed(description: &Description) -> Result<Box<dyn Simulation>, SceneError> {
         let units = description.units()?;
-        let mut cloth = description.cloth::<S, W, H>(&units)?;
-        let unpinned = cloth.inverse_mass;
+        let mut cloth = Box::new(description.cloth::<S, W, H>(&units)?);
+        let unpinned = Box::new(cloth.inverse_mass);
         for &[column, row] in &description.sheet.pins {
             cloth.pin(Node { column, row });
         }
@@ -220,7 +220,7 @@ impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S,
     }
 
     fn restore(&mut self, state: &State) {
-        let Cloth { position, velocity, inverse_mass } = &mut self.cloth;
+        let Cloth { position, velocity, inverse_mass } = &mut *self.cloth;
         let unpinned = self.unpinned.0.as_flattened();
         for (index, inverse_mass) in inverse_mass.0.as_flattened_mut().iter_mut().enumerate() {
             *inverse_mass = if state.pinned[index] { S::ZERO } else { unpinned[index] };

@@ -1,5 +1,7 @@
 //! The solver that a scene asks for while the program runs.
 
+use std::boxed::Box;
+
 use super::description::{Description, SolverKind};
 use super::error::SceneError;
 use super::fit::Fit;
@@ -24,13 +26,13 @@ pub(super) enum AnySolver {
 
 type MemoryOf<V, S, const W: usize, const H: usize> = <V as Solver<S>>::Memory<W, H>;
 
-/// The memory of [`AnySolver`].
+/// The memory of [`AnySolver`], on the heap: a large grid's does not fit the stack of every thread.
 pub(super) enum Memory<S: Scalar, const W: usize, const H: usize> {
     None,
-    ForwardEuler(MemoryOf<ForwardEuler, S, W, H>),
-    BackwardEuler(MemoryOf<BackwardEuler, S, W, H>),
-    Leapfrog(MemoryOf<Leapfrog, S, W, H>),
-    Lines(MemoryOf<Lines, S, W, H>),
+    ForwardEuler(Box<MemoryOf<ForwardEuler, S, W, H>>),
+    BackwardEuler(Box<MemoryOf<BackwardEuler, S, W, H>>),
+    Leapfrog(Box<MemoryOf<Leapfrog, S, W, H>>),
+    Lines(Box<MemoryOf<Lines, S, W, H>>),
 }
 
 impl AnySolver {
@@ -57,10 +59,10 @@ impl<S: Scalar> Solver<S> for AnySolver {
     fn memory<const W: usize, const H: usize>(&self) -> Memory<S, W, H> {
         match self {
             Self::Verlet(_) | Self::Xpbd(_) => Memory::None,
-            Self::ForwardEuler(solver) => Memory::ForwardEuler(Solver::<S>::memory(solver)),
-            Self::BackwardEuler(solver) => Memory::BackwardEuler(Solver::<S>::memory(solver)),
-            Self::Leapfrog(solver) => Memory::Leapfrog(Solver::<S>::memory(solver)),
-            Self::Lines(solver) => Memory::Lines(Solver::<S>::memory(solver)),
+            Self::ForwardEuler(solver) => Memory::ForwardEuler(Box::new(Solver::<S>::memory(solver))),
+            Self::BackwardEuler(solver) => Memory::BackwardEuler(Box::new(Solver::<S>::memory(solver))),
+            Self::Leapfrog(solver) => Memory::Leapfrog(Box::new(Solver::<S>::memory(solver))),
+            Self::Lines(solver) => Memory::Lines(Box::new(Solver::<S>::memory(solver))),
         }
     }
 
