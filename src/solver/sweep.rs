@@ -19,34 +19,6 @@ pub(super) fn sweep<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     links.springs(&mut Project { cloth, moment, parts });
 }
 
-/// Projects every spring but those along rows and columns between neighbours once, with stiffnesses times `softness`.
-#[inline]
-pub(super) fn sweep_soft<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
-    links: &L,
-    cloth: &mut Cloth<S, W, H>,
-    moment: Moment,
-    softness: S,
-) {
-    links.springs(&mut Soft { cloth, moment, softness });
-}
-
-struct Soft<'a, S, const W: usize, const H: usize> {
-    cloth: &'a mut Cloth<S, W, H>,
-    moment: Moment,
-    softness: S,
-}
-
-impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Soft<'_, S, W, H> {
-    #[inline]
-    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        if ACROSS + DOWN > 1 {
-            let strength = family.strength.scaled(self.softness);
-            Project { cloth: self.cloth, moment: self.moment, parts: 1 }
-                .family::<ACROSS, DOWN>(&Family { strength, ..*family });
-        }
-    }
-}
-
 struct Project<'a, S, const W: usize, const H: usize> {
     cloth: &'a mut Cloth<S, W, H>,
     moment: Moment,
@@ -56,7 +28,11 @@ struct Project<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        let strength = if self.parts == 1 { family.strength } else { family.strength.scaled(S::from_int(self.parts as i32).recip()) };
+        let strength = if self.parts == 1 {
+            family.strength
+        } else {
+            family.strength.scaled(S::from_int(self.parts as i32).recip())
+        };
         // nearly all links join two ordinary particles: their quotient is formed once
         let two = S::ONE + S::ONE;
         let ordinary = strength.against(two);
