@@ -1,6 +1,9 @@
 //! Cloth that runs on a microcontroller.
 #![no_std]
 
+#[cfg(all(target_os = "none", feature = "std"))]
+compile_error!("the features `std` and `window` are for programs on a host: build firmware without them");
+
 pub mod cloth;
 pub mod collider;
 pub mod force;
