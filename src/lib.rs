@@ -4,6 +4,9 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+#[cfg(all(target_os = "none", feature = "std"))]
+compile_error!("the features `std` and `window` are for programs on a host: build firmware without them");
+
 pub mod cloth;
 pub mod collider;
 pub mod force;

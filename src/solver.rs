@@ -37,7 +37,7 @@ pub use verlet::Verlet;
 pub use xpbd::Xpbd;
 
 /// All that acts on a sheet.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct Physics<'a, F, L, C> {
     /// What pulls from outside.
     pub forces: &'a F,
@@ -45,6 +45,15 @@ pub struct Physics<'a, F, L, C> {
     pub links: &'a L,
     /// What is in the way.
     pub colliders: &'a C,
+}
+
+// not derived: references are copied whatever they refer to
+impl<F, L, C> Copy for Physics<'_, F, L, C> {}
+
+impl<F, L, C> Clone for Physics<'_, F, L, C> {
+    fn clone(&self) -> Self {
+        *self
+    }
 }
 
 /// A way to move a sheet.

@@ -94,7 +94,7 @@ impl<S: Scalar> System<S> {
         (self.scale * self.inertia).divide(cloth.inverse_mass[node])
     }
 
-    /// κ/κ_max
+    /// κ over the largest κ.
     fn stiffness(&self, family: &Family<S>) -> S {
         let quotient = family.strength;
         if quotient.divisor <= self.scale {

@@ -19,34 +19,6 @@ pub(super) fn sweep<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     links.springs(&mut Project { cloth, moment, parts });
 }
 
-/// Projects every spring but those along rows and columns between neighbours once, with stiffnesses times `softness`.
-#[inline]
-pub(super) fn sweep_soft<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
-    links: &L,
-    cloth: &mut Cloth<S, W, H>,
-    moment: Moment,
-    softness: S,
-) {
-    links.springs(&mut Soft { cloth, moment, softness });
-}
-
-struct Soft<'a, S, const W: usize, const H: usize> {
-    cloth: &'a mut Cloth<S, W, H>,
-    moment: Moment,
-    softness: S,
-}
-
-impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Soft<'_, S, W, H> {
-    #[inline]
-    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        if ACROSS + DOWN > 1 {
-            let strength = family.strength.scaled(self.softness);
-            Project { cloth: self.cloth, moment: self.moment, parts: 1 }
-                .family::<ACROSS, DOWN>(&Family { strength, ..*family });
-        }
-    }
-}
-
 struct Project<'a, S, const W: usize, const H: usize> {
     cloth: &'a mut Cloth<S, W, H>,
     moment: Moment,
