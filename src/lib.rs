@@ -3,6 +3,8 @@
 
 pub mod cloth;
 pub mod grid;
+#[cfg(feature = "graphics")]
+pub mod render;
 pub mod scalar;
 pub mod units;
 pub mod vec3;

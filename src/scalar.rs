@@ -95,6 +95,9 @@ pub trait Scalar:
     /// result is finite.
     fn elongation(squares: Self::Product, rest: &Rest<Self>) -> Self;
 
+    /// The whole number nearest to `self · factor`, ties upward: pixels, tones, depths. The result lies within 32 bits.
+    fn round_times(self, factor: i32) -> i32;
+
     /// Adds a product to a sum.
     fn accumulate(sum: Self::Sum, product: Self::Product) -> Self::Sum;
 

@@ -3,7 +3,7 @@
 use super::{Rest, Scalar};
 
 macro_rules! float {
-    ($float:ty, $name:literal, $sqrt:path, $tiny:literal) => {
+    ($float:ty, $name:literal, $sqrt:path, $floor:path, $tiny:literal) => {
         impl Scalar for $float {
             const NAME: &'static str = $name;
             const ZERO: Self = 0.0;
@@ -66,6 +66,10 @@ macro_rules! float {
                 1.0 - rest.length / $sqrt(Scalar::max(squares, $tiny))
             }
             #[inline]
+            fn round_times(self, factor: i32) -> i32 {
+                $floor(self * factor as Self + 0.5) as i32
+            }
+            #[inline]
             fn accumulate(sum: Self, product: Self) -> Self {
                 sum + product
             }
@@ -93,5 +97,5 @@ macro_rules! float {
     };
 }
 
-float!(f32, "f32", libm::sqrtf, 1e-20);
-float!(f64, "f64", libm::sqrt, 1e-60);
+float!(f32, "f32", libm::sqrtf, libm::floorf, 1e-20);
+float!(f64, "f64", libm::sqrt, libm::floor, 1e-60);
