@@ -66,7 +66,8 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     /// corner ¼.
     pub fn share_area(&mut self) {
         for node in Grid::<S, W, H>::nodes() {
-            let halvings = u32::from(node.column == 0 || node.column + 1 == W) + u32::from(node.row == 0 || node.row + 1 == H);
+            let halvings =
+                u32::from(node.column == 0 || node.column + 1 == W) + u32::from(node.row == 0 || node.row + 1 == H);
             self.inverse_mass[node] = S::ONE.double(halvings);
         }
     }

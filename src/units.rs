@@ -168,7 +168,8 @@ impl Units {
     pub const fn aerodynamic_wind(&self, metres_per_second: [f64; 3], density: f64, drag_coefficient: f64) -> Airflow {
         // ½·ρ·c·A·u², A = |n|/2 for the triangle's normal n = (b−a)×(c−a), a third of it on each corner
         let wind = self.velocity(metres_per_second).0;
-        let pressure = density * drag_coefficient * self.cell * self.cell * self.cell * self.substep() / (12.0 * self.mass * self.tick());
+        let pressure = density * drag_coefficient * self.cell * self.cell * self.cell * self.substep()
+            / (12.0 * self.mass * self.tick());
         Airflow { wind, pressure }
     }
 }

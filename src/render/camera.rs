@@ -117,7 +117,8 @@ impl<S: Scalar> Camera<S> {
     pub fn place(&self, point: Vec3<S>) -> Vec3<S> {
         let Axes { right, up, forward } = self.axes;
         let offset = point - self.target;
-        Vec3::new(offset.dot(right), offset.dot(up), offset.dot(forward)) * self.nearness + Vec3::new(S::ZERO, S::ZERO, S::ONE)
+        Vec3::new(offset.dot(right), offset.dot(up), offset.dot(forward)) * self.nearness
+            + Vec3::new(S::ZERO, S::ZERO, S::ONE)
     }
 
     /// A length (cells) in distances to the target.
@@ -145,6 +146,11 @@ impl<S: Scalar> Camera<S> {
         let mut cut = hidden + (seen - hidden) * part;
         cut.z = Self::near();
         cut
+    }
+
+    /// Whether a line between two pixels is not wholly on one side of the screen.
+    pub(super) fn may_show(&self, a: Point, b: Point) -> bool {
+        a.x.max(b.x) >= 0 && a.y.max(b.y) >= 0 && a.x.min(b.x) < self.screen.0 && a.y.min(b.y) < self.screen.1
     }
 
     /// The column (pixels · 256) of a slope to the right.
@@ -286,7 +292,11 @@ mod tests {
         fn check<S: Scalar>() {
             let camera = Camera::<S>::new(&VIEW, SCREEN);
             for pixel in [0, 1, 100, 160, 319] {
-                assert!((camera.column(camera.slope_right(pixel)) - pixel * 256 - 128).abs() <= 1, "{} {pixel}", S::NAME);
+                assert!(
+                    (camera.column(camera.slope_right(pixel)) - pixel * 256 - 128).abs() <= 1,
+                    "{} {pixel}",
+                    S::NAME
+                );
                 assert!((camera.row(camera.slope_up(pixel)) - pixel * 256 - 128).abs() <= 1, "{} {pixel}", S::NAME);
             }
         }

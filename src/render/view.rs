@@ -96,7 +96,8 @@ impl View {
             }
             corner += 1;
         }
-        let distance = ((most[0][0] + most[0][1]) / (2.0 * slopes[0])).max((most[1][0] + most[1][1]) / (2.0 * slopes[1]));
+        let distance =
+            ((most[0][0] + most[0][1]) / (2.0 * slopes[0])).max((most[1][0] + most[1][1]) / (2.0 * slopes[1]));
         let shift = [0.5 * (most[0][0] - most[0][1]), 0.5 * (most[1][0] - most[1][1])];
         let target = [
             middle[0] + shift[0] * right[0] + shift[1] * up[0],
@@ -179,7 +180,8 @@ mod tests {
                 let shorter = screen.width.min(screen.height) as f64;
                 let mut largest = 0.0_f64;
                 for corner in 0..8 {
-                    let place = [0, 1, 2].map(|k| if corner >> k & 1 == 0 { low.0[k] } else { high.0[k] } - view.target[k]);
+                    let place =
+                        [0, 1, 2].map(|k| if corner >> k & 1 == 0 { low.0[k] } else { high.0[k] } - view.target[k]);
                     let depth = dot(forward, place) + view.distance;
                     let half = view.field * depth / shorter;
                     largest = largest.max((dot(right, place) / (half * screen.width as f64)).abs());

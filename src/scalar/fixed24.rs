@@ -332,7 +332,10 @@ mod tests {
                 let expected = 1.0 - length / d.to_f64();
                 let found = Q24::elongation(d.product(d), &rest).to_f64();
                 let bound = 2e-7 * (1.0 + expected.abs());
-                assert!((found - expected).abs() < bound.max(expected.abs() * 3e-7), "{length} × {stretch}: {found} {expected}");
+                assert!(
+                    (found - expected).abs() < bound.max(expected.abs() * 3e-7),
+                    "{length} × {stretch}: {found} {expected}"
+                );
                 stretch *= 1.013;
             }
         }
@@ -342,7 +345,8 @@ mod tests {
     fn a_link_at_rest_length_is_exactly_at_rest() {
         for (across, down) in [(1, 0), (1, 1), (2, 0)] {
             let rest = Rest::spanning(Q24::from_int(across), Q24::from_int(down));
-            let squares = Q24::from_int(across).product(Q24::from_int(across)) + Q24::from_int(down).product(Q24::from_int(down));
+            let squares =
+                Q24::from_int(across).product(Q24::from_int(across)) + Q24::from_int(down).product(Q24::from_int(down));
             assert_eq!(Q24::elongation(squares, &rest), Q24::ZERO);
         }
         assert_eq!(Q24::elongation(0, &Rest::spanning(Q24::ONE, Q24::ZERO)), Q24::ZERO);
@@ -350,7 +354,9 @@ mod tests {
 
     #[test]
     fn whole_numbers_are_the_nearest() {
-        for (value, factor, expected) in [(0.5, 1, 1), (-0.5, 1, 0), (0.49, 1, 0), (-1.51, 1, -2), (127.9, 1_000_000, 127_900_000)] {
+        for (value, factor, expected) in
+            [(0.5, 1, 1), (-0.5, 1, 0), (0.49, 1, 0), (-1.51, 1, -2), (127.9, 1_000_000, 127_900_000)]
+        {
             assert_eq!(number(value).round_times(factor) / 10, expected / 10, "{value} · {factor}");
             assert_eq!(value.round_times(factor), expected, "{value} · {factor}");
         }
