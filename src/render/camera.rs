@@ -173,6 +173,11 @@ impl<S: Scalar> Camera<S> {
         self.pixel.times(self.screen.1 - 2 * row - 1).halve(4)
     }
 
+    /// How far down the screen the middle of a row of pixels is, of 256.
+    pub(super) fn fraction_down(&self, row: i32) -> i32 {
+        (256 * row + 128) / self.screen.1
+    }
+
     /// The point that is looked at, cells.
     pub fn target(&self) -> Vec3<S> {
         self.target

@@ -132,7 +132,7 @@ impl<S: Scalar, C: PixelColor, const W: usize, const H: usize> StyledDrawable<Pr
 #[cfg(test)]
 mod tests {
     use embedded_graphics::draw_target::DrawTargetExt;
-    use embedded_graphics::geometry::{Dimensions, Size};
+    use embedded_graphics::geometry::Size;
     use embedded_graphics::mock_display::MockDisplay;
     use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor};
     use embedded_graphics::primitives::Rectangle;
