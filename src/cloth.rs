@@ -1,6 +1,7 @@
 //! The state of a sheet.
 
 use crate::grid::{Grid, Node};
+use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Point, Units};
 use crate::vec3::Vec3;
@@ -81,6 +82,21 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     /// Lets a pinned particle go, with this inverse mass.
     pub fn release(&mut self, node: Node, inverse_mass: S) {
         self.inverse_mass[node] = inverse_mass;
+    }
+
+    /// Moves a particle within a substep: its velocity takes part, so that it stays the sum of what moved the particle. (The difference
+    /// of two positions would lose its digits.)
+    #[inline]
+    pub fn displace(&mut self, node: Node, by: Vec3<S>, moment: Moment) {
+        self.position[node] += by;
+        self.velocity[node] += moment.velocity(by);
+    }
+
+    /// Moves `a` by `by` and `b` against it, each times its inverse mass.
+    #[inline]
+    pub fn pull(&mut self, a: Node, b: Node, by: Vec3<S>, moment: Moment) {
+        self.displace(a, by * self.inverse_mass[a], moment);
+        self.displace(b, -(by * self.inverse_mass[b]), moment);
     }
 
     /// Whether a particle is pinned.

@@ -21,7 +21,7 @@ pub use light::Light;
 pub use pattern::Pattern;
 pub use shaded::{Look, Shaded};
 pub use shadow::Shadow;
-pub use solid::{Ball, Capsule, Solids};
+pub use solid::{Ball, Rod, Solids};
 pub use tone::{Shade, Toned};
 pub use view::View;
 pub use wireframe::Wireframe;

@@ -72,6 +72,10 @@ pub trait Scalar:
     #[must_use]
     fn halve(self, shift: u32) -> Self;
 
+    /// `self · halves/2 · 2^shift`.
+    #[must_use]
+    fn rate(self, halves: u32, shift: u32) -> Self;
+
     /// The exact (fixed point) or rounded (float) product.
     fn product(self, other: Self) -> Self::Product;
 
@@ -97,6 +101,9 @@ pub trait Scalar:
 
     /// The whole number nearest to `self · factor`, ties upward: pixels, tones, depths. The result lies within 32 bits.
     fn round_times(self, factor: i32) -> i32;
+
+    /// `√squares − L` and `1/√squares`: by how much a link is longer than its rest length, and what makes its vector a unit vector.
+    fn gauge(squares: Self::Product, rest: &Rest<Self>) -> (Self, Self);
 
     /// Adds a product to a sum.
     fn accumulate(sum: Self::Sum, product: Self::Product) -> Self::Sum;

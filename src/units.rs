@@ -66,6 +66,8 @@ pub struct DragRate {
     pub rate: f64,
     /// exp(−γ·h)
     pub decay: f64,
+    /// (1 − exp(−γ·h))/(γ·h)
+    pub gain: f64,
 }
 
 /// A wind's velocity and the strength of its pressure.
@@ -149,7 +151,10 @@ impl Units {
     /// A sheet's drag γ in 1/s.
     pub const fn drag(&self, per_second: f64) -> DragRate {
         let rate = per_second * self.substep();
-        DragRate { rate, decay: exp_minus(rate) }
+        let decay = exp_minus(rate);
+        // where the quotient loses its digits, its series has them all
+        let gain = if rate < 1e-4 { 1.0 - rate / 2.0 + rate * rate / 6.0 } else { (1.0 - decay) / rate };
+        DragRate { rate, decay, gain }
     }
 
     /// The drag that multiplies the displacement of a frame by `1 − fraction`, `0 ≤ fraction < 1`: position Verlet's damping

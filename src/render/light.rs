@@ -9,7 +9,7 @@ use crate::vec3::Vec3;
 
 /// A lamp far away, the sky above and what the ground reflects.
 ///
-/// A surface of colour c and normal n gets, channel by channel, c·(ground + (sky − ground)·(1 + n_z)/2 + lamp·max(n·l + w, 0)/(1 + w))
+/// A surface of colour c and normal n (z upwards) gets, channel by channel, c·(ground + (sky − ground)·(1 + z)/2 + lamp·max(n·l + w, 0)/(1 + w))
 /// + gloss (Lambert's law for a wide lamp, a hemisphere light, Blinn's highlight), where 255 counts as one and w is 0.3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
@@ -29,9 +29,9 @@ impl Light {
         let ((sa, ca), (se, ce)) = (sin_cos(azimuth), sin_cos(elevation));
         Self {
             towards: [ce * sa, -ce * ca, se],
-            lamp: Rgb888::new(170, 160, 142),
-            sky: Rgb888::new(112, 118, 132),
-            ground: Rgb888::new(66, 58, 56),
+            lamp: Rgb888::new(150, 141, 125),
+            sky: Rgb888::new(132, 136, 146),
+            ground: Rgb888::new(92, 84, 80),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The solids that a sheet lies on or hangs before.
 
 mod ball;
-mod capsule;
+mod rod;
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::pixelcolor::Rgb888;
@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
 pub use ball::Ball;
-pub use capsule::Capsule;
+pub use rod::Rod;
 
 /// Solids in a picture: `()` is none, a pair is both, an array and a slice are all of their members.
 ///

@@ -41,6 +41,10 @@ macro_rules! float {
                 self * (1.0 / (1_u32 << shift) as Self)
             }
             #[inline]
+            fn rate(self, halves: u32, shift: u32) -> Self {
+                self * ((halves << shift) as Self * 0.5)
+            }
+            #[inline]
             fn product(self, other: Self) -> Self {
                 self * other
             }
@@ -68,6 +72,11 @@ macro_rules! float {
             #[inline]
             fn round_times(self, factor: i32) -> i32 {
                 $floor(self * factor as Self + 0.5) as i32
+            }
+            #[inline]
+            fn gauge(squares: Self, rest: &Rest<Self>) -> (Self, Self) {
+                let length = $sqrt(Scalar::max(squares, $tiny));
+                (length - rest.length, 1.0 / length)
             }
             #[inline]
             fn accumulate(sum: Self, product: Self) -> Self {

@@ -1,4 +1,4 @@
-//! A capsule: a rod with round ends.
+//! A rod with round ends.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::pixelcolor::Rgb888;
@@ -13,7 +13,7 @@ use crate::vec3::Vec3;
 /// A rod with round ends, drawn as a row of balls an eighth of their radius apart (64 balls at most). Memory: seven numbers and a
 /// colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Capsule<S> {
+pub struct Rod<S> {
     /// One end of its axis, cells.
     pub a: Vec3<S>,
     /// The other end.
@@ -24,8 +24,8 @@ pub struct Capsule<S> {
     pub tone: Rgb888,
 }
 
-impl<S: Scalar> Capsule<S> {
-    /// A capsule with these ends of its axis, this radius and colour.
+impl<S: Scalar> Rod<S> {
+    /// A rod with these ends of its axis, this radius and colour.
     pub fn new(a: Place, b: Place, radius: Length, tone: Rgb888) -> Self {
         Self { a: a.to_vec(), b: b.to_vec(), radius: S::from_f64(radius.0), tone }
     }
@@ -41,7 +41,7 @@ impl<S: Scalar> Capsule<S> {
     }
 }
 
-impl<S: Scalar> Solids<S> for Capsule<S> {
+impl<S: Scalar> Solids<S> for Rod<S> {
     fn count(&self) -> usize {
         1
     }

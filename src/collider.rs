@@ -1,0 +1,146 @@
+//! What a sheet can't pass through: sphere, plane, capsule.
+//!
+//! A particle closer than the margin to a surface is moved out along the normal to exactly that distance; friction is Coulomb's
+//! coefficient on the displacement along the surface. `()` is nothing in the way; tuples, slices and arrays are all of their members.
+
+mod capsule;
+mod plane;
+mod sphere;
+
+use crate::cloth::Cloth;
+use crate::grid::Grid;
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+
+pub use capsule::Capsule;
+pub use plane::Plane;
+pub use sphere::Sphere;
+
+/// Something in the sheet's way.
+pub trait Collider<S: Scalar> {
+    /// Whether there is anything at all.
+    const PRESENT: bool = true;
+
+    /// By how much a particle at `position`, `moved` so far in this substep, has to move; `None` where it may stay.
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>>;
+
+    /// Moves the collider on to `end`, the end of a frame.
+    #[inline]
+    fn advance(&mut self, _end: Moment) {}
+}
+
+/// Moves every free particle out of `colliders`.
+#[inline]
+pub(crate) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
+    colliders: &C,
+    cloth: &mut Cloth<S, W, H>,
+    moment: Moment,
+) {
+    if !C::PRESENT {
+        return;
+    }
+    for node in Grid::<S, W, H>::nodes() {
+        if cloth.is_pinned(node) {
+            continue;
+        }
+        let moved = moment.displacement(cloth.velocity[node]);
+        if let Some(by) = colliders.contact(moment, cloth.position[node], moved) {
+            cloth.displace(node, by, moment);
+        }
+    }
+}
+
+/// A surface's answer to a particle `depth` too deep along the unit `normal` that `slid` along with it: out by the depth, and back
+/// along the surface by at most `friction · depth`.
+#[inline]
+fn respond<S: Scalar>(normal: Vec3<S>, depth: S, slid: Vec3<S>, friction: S) -> Vec3<S> {
+    let out = normal * depth;
+    if friction == S::ZERO {
+        return out;
+    }
+    let along = slid - normal * slid.dot(normal);
+    let length = along.length();
+    let grip = friction * depth;
+    if length <= grip { out - along } else { out - along * grip.divide(length) }
+}
+
+impl<S: Scalar> Collider<S> for () {
+    const PRESENT: bool = false;
+
+    #[inline]
+    fn contact(&self, _moment: Moment, _position: Vec3<S>, _moved: Vec3<S>) -> Option<Vec3<S>> {
+        None
+    }
+}
+
+impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {
+    #[inline]
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+        let mut total = None;
+        for collider in self {
+            total = then(total, collider, moment, position, moved);
+        }
+        total
+    }
+
+    #[inline]
+    fn advance(&mut self, end: Moment) {
+        for collider in self {
+            collider.advance(end);
+        }
+    }
+}
+
+impl<S: Scalar, T: Collider<S>, const N: usize> Collider<S> for heapless::Vec<T, N> {
+    #[inline]
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+        self.as_slice().contact(moment, position, moved)
+    }
+
+    #[inline]
+    fn advance(&mut self, end: Moment) {
+        self.as_mut_slice().advance(end);
+    }
+}
+
+/// What `total` and then `collider` ask for together.
+#[inline]
+fn then<S: Scalar, T: Collider<S>>(
+    total: Option<Vec3<S>>,
+    collider: &T,
+    moment: Moment,
+    position: Vec3<S>,
+    moved: Vec3<S>,
+) -> Option<Vec3<S>> {
+    let by = total.unwrap_or(Vec3::ZERO);
+    collider.contact(moment, position + by, moved + by).map(|more| by + more).or(total)
+}
+
+macro_rules! tuple {
+    ($($name:ident),+) => {
+        impl<S: Scalar, $($name: Collider<S>),+> Collider<S> for ($($name,)+) {
+            const PRESENT: bool = $($name::PRESENT)||+;
+
+            #[inline]
+            fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                let total = None;
+                $(let total = then(total, $name, moment, position, moved);)+
+                total
+            }
+
+            #[inline]
+            fn advance(&mut self, end: Moment) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.advance(end);)+
+            }
+        }
+    };
+}
+
+tuple!(A);
+tuple!(A, B);
+tuple!(A, B, C);

@@ -1,0 +1,56 @@
+//! A rod with round ends.
+
+use crate::collider::{Collider, respond};
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::units::{Length, Point};
+use crate::vec3::Vec3;
+
+/// All points within a radius of a line segment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Capsule<S> {
+    start: Vec3<S>,
+    /// The unit vector along the segment.
+    axis: Vec3<S>,
+    length: S,
+    /// Radius and margin together, cells.
+    reach: S,
+    /// Coulomb's coefficient of friction.
+    pub friction: S,
+}
+
+impl<S: Scalar> Capsule<S> {
+    /// A capsule without friction around the segment from `a` to `b`; particles keep at `margin` from its surface. Where `a` equals
+    /// `b` it is a sphere.
+    pub fn new(a: Point, b: Point, radius: Length, margin: Length) -> Self {
+        let (start, end): (Vec3<S>, Vec3<S>) = (a.to_vec(), b.to_vec());
+        let segment = end - start;
+        let length = segment.length();
+        let axis = if length == S::ZERO { Vec3::ZERO } else { segment.map(|component| component.divide(length)) };
+        Self { start, axis, length, reach: S::from_f64(radius.0) + S::from_f64(margin.0), friction: S::ZERO }
+    }
+
+    /// The same capsule with friction.
+    #[must_use]
+    pub fn with_friction(self, friction: S) -> Self {
+        Self { friction, ..self }
+    }
+}
+
+impl<S: Scalar> Collider<S> for Capsule<S> {
+    #[inline]
+    fn contact(&self, _moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+        let from_start = position - self.start;
+        let along = from_start.dot(self.axis).max(S::ZERO).min(self.length);
+        let d = from_start - self.axis * along;
+        let squared = d.squared();
+        // no contact: no root
+        if squared >= self.reach.product(self.reach) {
+            return None;
+        }
+        let distance = S::root(squared);
+        let up = Vec3::new(S::ZERO, S::ZERO, S::ONE);
+        let normal = if distance == S::ZERO { up } else { d.map(|component| component.divide(distance)) };
+        Some(respond(normal, self.reach - distance, moved, self.friction))
+    }
+}

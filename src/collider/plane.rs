@@ -1,0 +1,42 @@
+//! A half-space: ground, wall, slope.
+
+use crate::collider::{Collider, respond};
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::units::{Length, Point};
+use crate::vec3::Vec3;
+
+/// A plane with everything behind it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane<S> {
+    /// A point on it, cells.
+    pub point: Vec3<S>,
+    /// The unit normal, to the side that is free.
+    pub normal: Vec3<S>,
+    /// Coulomb's coefficient of friction.
+    pub friction: S,
+    margin: S,
+}
+
+impl<S: Scalar> Plane<S> {
+    /// A plane without friction through `point` across `direction` (of any length but zero, up to 8); particles keep at `margin` from it.
+    pub fn new(point: Point, direction: Vec3<S>, margin: Length) -> Self {
+        let length = direction.length();
+        let normal = direction.map(|component| component.divide(length));
+        Self { point: point.to_vec(), normal, friction: S::ZERO, margin: S::from_f64(margin.0) }
+    }
+
+    /// The same plane with friction.
+    #[must_use]
+    pub fn with_friction(self, friction: S) -> Self {
+        Self { friction, ..self }
+    }
+}
+
+impl<S: Scalar> Collider<S> for Plane<S> {
+    #[inline]
+    fn contact(&self, _moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+        let depth = self.margin - (position - self.point).dot(self.normal);
+        (depth > S::ZERO).then(|| respond(self.normal, depth, moved, self.friction))
+    }
+}

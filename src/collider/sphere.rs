@@ -1,0 +1,63 @@
+//! A ball.
+
+use crate::collider::{Collider, respond};
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::units::{Length, Point, Velocity};
+use crate::vec3::Vec3;
+
+/// A ball that rests or moves at a constant velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere<S> {
+    /// Its centre at the start of the frame, cells.
+    pub centre: Vec3<S>,
+    /// Its velocity, cells per tick.
+    pub velocity: Vec3<S>,
+    /// Coulomb's coefficient of friction.
+    pub friction: S,
+    /// Radius and margin together, cells.
+    reach: S,
+}
+
+impl<S: Scalar> Sphere<S> {
+    /// A ball at rest without friction; particles keep at `margin` from its surface.
+    pub fn new(centre: Point, radius: Length, margin: Length) -> Self {
+        let reach = S::from_f64(radius.0) + S::from_f64(margin.0);
+        Self { centre: centre.to_vec(), velocity: Vec3::ZERO, friction: S::ZERO, reach }
+    }
+
+    /// The same ball with friction.
+    #[must_use]
+    pub fn with_friction(self, friction: S) -> Self {
+        Self { friction, ..self }
+    }
+
+    /// The same ball in motion.
+    #[must_use]
+    pub fn with_velocity(self, velocity: Velocity) -> Self {
+        Self { velocity: Vec3::from_f64(velocity.0), ..self }
+    }
+}
+
+impl<S: Scalar> Collider<S> for Sphere<S> {
+    #[inline]
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+        let travelled = self.velocity * moment.ticks();
+        let d = position - (self.centre + travelled);
+        let squared = d.squared();
+        // no contact: no root
+        if squared >= self.reach.product(self.reach) {
+            return None;
+        }
+        let distance = S::root(squared);
+        let up = Vec3::new(S::ZERO, S::ZERO, S::ONE);
+        let normal = if distance == S::ZERO { up } else { d.map(|component| component.divide(distance)) };
+        let slid = moved - moment.displacement(self.velocity);
+        Some(respond(normal, self.reach - distance, slid, self.friction))
+    }
+
+    #[inline]
+    fn advance(&mut self, end: Moment) {
+        self.centre += self.velocity * end.ticks();
+    }
+}

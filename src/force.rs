@@ -1,0 +1,203 @@
+//! What pulls on particles from outside: gravity, drag, wind.
+//!
+//! `()` is no force and a tuple is all of its members. A force of your own implements [`Force`].
+
+mod wind;
+
+use crate::scalar::Scalar;
+use crate::units::{Acceleration, DragRate};
+use crate::vec3::Vec3;
+
+pub use wind::{AerodynamicWind, FacetWind};
+
+/// A force, or none, or several.
+///
+/// What a force leaves at its default costs nothing.
+pub trait Force<S: Scalar> {
+    /// Whether the force is a field that [`particles`](Self::particles) or [`cells`](Self::cells) evaluates.
+    const FIELD: bool = false;
+    /// Whether the field depends on velocities.
+    const FOLLOWS_VELOCITY: bool = false;
+    /// Whether there is drag.
+    const DRAG: bool = false;
+
+    /// The velocity that every particle gains in a substep whatever its mass (cells per tick).
+    #[inline]
+    fn uniform(&self) -> Vec3<S> {
+        Vec3::ZERO
+    }
+
+    /// How drag slows every particle.
+    #[inline]
+    fn drag(&self) -> Slowdown<S> {
+        Slowdown::NONE
+    }
+
+    /// Adds the velocities that the particles of a row would gain in a substep if their mass were 1 (cells per tick).
+    #[inline]
+    fn particles<const W: usize>(&self, _row: Row<'_, S, W>, _gain: &mut [Vec3<S>; W]) {}
+
+    /// Adds the velocities that the particles of two neighbouring rows would gain from the cells between them.
+    #[inline]
+    fn cells<const W: usize>(&self, _rows: [Row<'_, S, W>; 2], _gains: [&mut [Vec3<S>; W]; 2]) {}
+}
+
+/// A row of particles.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<'a, S, const W: usize> {
+    /// Where they are, cells.
+    pub position: &'a [Vec3<S>; W],
+    /// How fast they move, cells per tick.
+    pub velocity: &'a [Vec3<S>; W],
+}
+
+/// The exact effect of a drag γ on a substep h: `v(h) = decay·v + gain·h·a` under a constant acceleration a.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slowdown<S> {
+    /// γ·h
+    pub rate: S,
+    /// exp(−γ·h)
+    pub decay: S,
+    /// (1 − exp(−γ·h))/(γ·h)
+    pub gain: S,
+}
+
+impl<S: Scalar> Slowdown<S> {
+    /// No drag.
+    pub const NONE: Self = Self { rate: S::ZERO, decay: S::ONE, gain: S::ONE };
+
+    /// Two drags at once.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        if self.rate == S::ZERO {
+            return other;
+        }
+        if other.rate == S::ZERO {
+            return self;
+        }
+        let (rate, decay) = (self.rate + other.rate, self.decay * other.decay);
+        Self { rate, decay, gain: (S::ONE - decay).divide(rate) }
+    }
+}
+
+/// Weight. It may change while the sheet moves, as on a board that is tilted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gravity<S> {
+    /// The velocity gained in a substep, cells per tick.
+    pub gain: Vec3<S>,
+}
+
+impl<S: Scalar> Gravity<S> {
+    /// Gravity of this acceleration.
+    pub fn new(acceleration: Acceleration) -> Self {
+        Self { gain: Vec3::from_f64(acceleration.0) }
+    }
+}
+
+impl<S: Scalar> Force<S> for Gravity<S> {
+    #[inline]
+    fn uniform(&self) -> Vec3<S> {
+        self.gain
+    }
+}
+
+/// Drag in proportion to a particle's mass and velocity, `−m·γ·v`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drag<S> {
+    slowdown: Slowdown<S>,
+}
+
+impl<S: Scalar> Drag<S> {
+    /// Drag of this rate.
+    pub fn new(drag: DragRate) -> Self {
+        let [rate, decay, gain] = [drag.rate, drag.decay, drag.gain].map(S::from_f64);
+        Self { slowdown: Slowdown { rate, decay, gain } }
+    }
+}
+
+impl<S: Scalar> Force<S> for Drag<S> {
+    const DRAG: bool = true;
+
+    #[inline]
+    fn drag(&self) -> Slowdown<S> {
+        self.slowdown
+    }
+}
+
+impl<S: Scalar> Force<S> for () {}
+
+/// A force that is there or not, decided while the program runs.
+impl<S: Scalar, T: Force<S>> Force<S> for Option<T> {
+    const FIELD: bool = T::FIELD;
+    const FOLLOWS_VELOCITY: bool = T::FOLLOWS_VELOCITY;
+    const DRAG: bool = T::DRAG;
+
+    #[inline]
+    fn uniform(&self) -> Vec3<S> {
+        self.as_ref().map_or(Vec3::ZERO, T::uniform)
+    }
+
+    #[inline]
+    fn drag(&self) -> Slowdown<S> {
+        self.as_ref().map_or(Slowdown::NONE, T::drag)
+    }
+
+    #[inline]
+    fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut [Vec3<S>; W]) {
+        if let Some(force) = self {
+            force.particles(row, gain);
+        }
+    }
+
+    #[inline]
+    fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut [Vec3<S>; W]; 2]) {
+        if let Some(force) = self {
+            force.cells(rows, gains);
+        }
+    }
+}
+
+macro_rules! tuple {
+    ($($name:ident),+) => {
+        impl<S: Scalar, $($name: Force<S>),+> Force<S> for ($($name,)+) {
+            const FIELD: bool = $($name::FIELD)||+;
+            const FOLLOWS_VELOCITY: bool = $($name::FOLLOWS_VELOCITY)||+;
+            const DRAG: bool = $($name::DRAG)||+;
+
+            #[inline]
+            fn uniform(&self) -> Vec3<S> {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                let mut gain = Vec3::ZERO;
+                $(gain += $name.uniform();)+
+                gain
+            }
+
+            #[inline]
+            fn drag(&self) -> Slowdown<S> {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                Slowdown::NONE$(.and($name.drag()))+
+            }
+
+            #[inline]
+            fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut [Vec3<S>; W]) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.particles(row, gain);)+
+            }
+
+            #[inline]
+            fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], [upper, lower]: [&mut [Vec3<S>; W]; 2]) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.cells(rows, [upper, lower]);)+
+            }
+        }
+    };
+}
+
+tuple!(A);
+tuple!(A, B);
+tuple!(A, B, C);
+tuple!(A, B, C, D);

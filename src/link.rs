@@ -1,0 +1,149 @@
+//! What holds particles together: stretch, shear and bend springs, their damping, tethers, the strain limit.
+//!
+//! A family of links is a pattern of grid offsets. Its links are visited, never stored. `()` is no link and a tuple is all of its
+//! members. A family of your own implements [`Links`].
+
+mod limit;
+mod order;
+mod spring;
+mod tether;
+
+use crate::cloth::Cloth;
+use crate::moment::Moment;
+use crate::scalar::{Rest, Scalar};
+use crate::units::Strength;
+
+pub use limit::StrainLimited;
+pub use order::each;
+pub use spring::{Bend, Damped, Shear, Stretch};
+pub use tether::Tether;
+
+/// A family of links, or none, or several.
+pub trait Links<S: Scalar> {
+    /// Whether any link is damped.
+    const DAMPED: bool = false;
+
+    /// Shows `visitor` every family of springs, in the order in which they are relaxed.
+    #[inline]
+    fn springs<V: Visitor<S>>(&self, _visitor: &mut V) {}
+
+    /// Shows `visitor` every family that is damped, with the strength of its dampers.
+    #[inline]
+    fn dampers<V: Visitor<S>>(&self, _visitor: &mut V) {}
+
+    /// Moves particles, once the springs are done, until what the links forbid is no more.
+    #[inline]
+    fn confine<const W: usize, const H: usize>(&self, _cloth: &mut Cloth<S, W, H>, _moment: Moment) {}
+}
+
+/// Sees families of links one by one.
+pub trait Visitor<S: Scalar> {
+    /// The links between particles that are `ACROSS` columns and `DOWN` rows apart; where neither is zero, along both diagonals.
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>);
+}
+
+/// What the links of a family have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Family<S> {
+    /// Stiffness or damping.
+    pub strength: Quotient<S>,
+    /// The length at which a link is at rest.
+    pub rest: Rest<S>,
+}
+
+/// A [`Strength`] κ in the cloth's numbers, `κ = dividend/divisor`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quotient<S> {
+    /// min(κ, 1)
+    pub dividend: S,
+    /// min(1/κ, 1)
+    pub divisor: S,
+}
+
+impl<S: Scalar> Quotient<S> {
+    /// The nearest quotient.
+    pub fn new(strength: Strength) -> Self {
+        Self { dividend: S::from_f64(strength.dividend), divisor: S::from_f64(strength.divisor) }
+    }
+
+    /// κ
+    #[inline]
+    pub fn value(self) -> S {
+        self.dividend.divide(self.divisor)
+    }
+
+    /// κ/(1 + κ·w): the implicit effect of a spring between particles with inverse masses of sum w.
+    #[inline]
+    pub fn against(self, inverse_mass: S) -> S {
+        self.dividend.divide(self.divisor + self.dividend * inverse_mass)
+    }
+
+    /// κ times a factor up to 1.
+    #[must_use]
+    pub fn scaled(self, factor: S) -> Self {
+        Self { dividend: self.dividend * factor, divisor: self.divisor }
+    }
+}
+
+impl<S: Scalar> Links<S> for () {}
+
+/// Links that are there or not, decided while the program runs.
+impl<S: Scalar, T: Links<S>> Links<S> for Option<T> {
+    const DAMPED: bool = T::DAMPED;
+
+    #[inline]
+    fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
+        if let Some(links) = self {
+            links.springs(visitor);
+        }
+    }
+
+    #[inline]
+    fn dampers<V: Visitor<S>>(&self, visitor: &mut V) {
+        if let Some(links) = self {
+            links.dampers(visitor);
+        }
+    }
+
+    #[inline]
+    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
+        if let Some(links) = self {
+            links.confine(cloth, moment);
+        }
+    }
+}
+
+macro_rules! tuple {
+    ($($name:ident),+) => {
+        impl<S: Scalar, $($name: Links<S>),+> Links<S> for ($($name,)+) {
+            const DAMPED: bool = $($name::DAMPED)||+;
+
+            #[inline]
+            fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.springs(visitor);)+
+            }
+
+            #[inline]
+            fn dampers<V: Visitor<S>>(&self, visitor: &mut V) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.dampers(visitor);)+
+            }
+
+            #[inline]
+            fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.confine(cloth, moment);)+
+            }
+        }
+    };
+}
+
+tuple!(A);
+tuple!(A, B);
+tuple!(A, B, C);
+tuple!(A, B, C, D);
+tuple!(A, B, C, D, E);

@@ -1,0 +1,100 @@
+//! The order in which the links of a family are visited.
+
+use crate::grid::Node;
+
+/// Calls `visit` with both ends of every link of offset `ACROSS`, `DOWN` in a sheet of `W` × `H` particles; where neither is zero,
+/// both diagonals of the box.
+///
+/// Links are coloured: links of one colour share no particle, except that they are all visited before the next colour. So a
+/// mirrored sheet of even width is relaxed as the mirror image, to the last bit, where sweeping from left to right would lean to one side.
+#[inline]
+pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usize>(mut visit: impl FnMut(Node, Node)) {
+    const { assert!(ACROSS + DOWN > 0, "a link needs two particles") };
+    for row_colour in 0..colours(DOWN) {
+        for column_colour in 0..colours(ACROSS) {
+            for row in 0..H.saturating_sub(DOWN) {
+                if DOWN > 0 && row / DOWN % 2 != row_colour {
+                    continue;
+                }
+                for column in 0..W.saturating_sub(ACROSS) {
+                    if ACROSS > 0 && column / ACROSS % 2 != column_colour {
+                        continue;
+                    }
+                    visit(Node { column, row }, Node { column: column + ACROSS, row: row + DOWN });
+                    if ACROSS > 0 && DOWN > 0 {
+                        visit(Node { column: column + ACROSS, row }, Node { column, row: row + DOWN });
+                    }
+                }
+            }
+        }
+    }
+}
+
+const fn colours(extent: usize) -> usize {
+    if extent == 0 { 1 } else { 2 }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use std::collections::BTreeSet;
+    use std::vec::Vec;
+
+    fn links<const ACROSS: usize, const DOWN: usize>() -> Vec<(Node, Node)> {
+        let mut links = Vec::new();
+        each::<ACROSS, DOWN, 8, 5>(|a, b| links.push((a, b)));
+        links
+    }
+
+    #[test]
+    fn every_link_is_visited_once() {
+        for (found, count) in [
+            (links::<1, 0>(), 7 * 5),
+            (links::<0, 1>(), 8 * 4),
+            (links::<1, 1>(), 2 * 7 * 4),
+            (links::<2, 0>(), 6 * 5),
+            (links::<0, 2>(), 8 * 3),
+        ] {
+            assert_eq!(found.len(), count);
+            assert_eq!(found.iter().collect::<BTreeSet<_>>().len(), count);
+        }
+    }
+
+    #[test]
+    fn a_mirrored_sheet_has_the_mirrored_order() {
+        fn mirrored(found: &[(Node, Node)]) -> BTreeSet<[(usize, usize); 2]> {
+            found
+                .iter()
+                .map(|(a, b)| {
+                    let mut ends = [(7 - a.column, a.row), (7 - b.column, b.row)];
+                    ends.sort_unstable();
+                    ends
+                })
+                .collect()
+        }
+        fn plain(found: &[(Node, Node)]) -> BTreeSet<[(usize, usize); 2]> {
+            found
+                .iter()
+                .map(|(a, b)| {
+                    let mut ends = [(a.column, a.row), (b.column, b.row)];
+                    ends.sort_unstable();
+                    ends
+                })
+                .collect()
+        }
+        // colour by colour: a colour ends where a particle comes again
+        for found in [links::<1, 0>(), links::<1, 1>(), links::<2, 0>()] {
+            let mut start = 0;
+            while start < found.len() {
+                let mut seen = BTreeSet::new();
+                let mut end = start;
+                while end < found.len() && seen.insert(found[end].0) && seen.insert(found[end].1) {
+                    end += 1;
+                }
+                assert_eq!(plain(&found[start..end]), mirrored(&found[start..end]));
+                start = end;
+            }
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Springs between neighbours: Hooke's law `f = −k·(|d| − L)·d/|d|`, rest length L = initial distance.
+
+use crate::link::{Family, Links, Quotient, Visitor};
+use crate::scalar::{Rest, Scalar};
+use crate::units::{Strength, Units};
+
+macro_rules! springs {
+    ($(#[$doc:meta])* $name:ident, $($across:literal, $down:literal);+) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $name<S> {
+            strength: Quotient<S>,
+            rest: [Rest<S>; [$($across),+].len()],
+        }
+
+        impl<S: Scalar> $name<S> {
+            /// Springs of this strength in a sheet of these units.
+            pub fn new(units: &Units, strength: Strength) -> Self {
+                let [across, down] = units.sides.map(S::from_f64);
+                let rest = [$(Rest::spanning(across.times($across), down.times($down))),+];
+                Self { strength: Quotient::new(strength), rest }
+            }
+        }
+
+        impl<S: Scalar> Links<S> for $name<S> {
+            #[inline]
+            fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
+                let mut rest = self.rest.iter();
+                $(if let Some(&rest) = rest.next() {
+                    visitor.family::<$across, $down>(&Family { strength: self.strength, rest });
+                })+
+            }
+        }
+    };
+}
+
+springs!(
+    /// Springs along rows and columns, between neighbours.
+    Stretch, 1, 0; 0, 1
+);
+springs!(
+    /// Springs along the diagonals of the cells.
+    Shear, 1, 1
+);
+springs!(
+    /// Springs along rows and columns, between a particle and the next but one.
+    Bend, 2, 0; 0, 2
+);
+
+/// Links with dampers beside their springs: `f = −k_d·(v_i − v_j)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Damped<L, S> {
+    links: L,
+    damping: Quotient<S>,
+}
+
+impl<L, S: Scalar> Damped<L, S> {
+    /// `links` with a damper of this strength beside each spring.
+    pub fn new(links: L, damping: Strength) -> Self {
+        Self { links, damping: Quotient::new(damping) }
+    }
+}
+
+impl<S: Scalar, L: Links<S>> Links<S> for Damped<L, S> {
+    const DAMPED: bool = true;
+
+    #[inline]
+    fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
+        self.links.springs(visitor);
+    }
+
+    #[inline]
+    fn dampers<V: Visitor<S>>(&self, visitor: &mut V) {
+        self.links.springs(&mut WithStrength { visitor, strength: self.damping });
+    }
+}
+
+/// Passes families on with another strength.
+struct WithStrength<'a, V, S> {
+    visitor: &'a mut V,
+    strength: Quotient<S>,
+}
+
+impl<S: Scalar, V: Visitor<S>> Visitor<S> for WithStrength<'_, V, S> {
+    #[inline]
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        self.visitor.family::<ACROSS, DOWN>(&Family { strength: self.strength, ..*family });
+    }
+}

@@ -1,0 +1,54 @@
+//! Tethers: no particle further from a pin than its rest distance along the sheet (T.-Y. Kim, N. Chentanez, M. Müller-Fischer, *Long range
+//! attachments*, 2012).
+//!
+//! They cure what is left of super-elasticity cheaply, and bias positions by up to a few percent of the sheet: an option, never silent.
+
+use heapless::Vec;
+
+use crate::cloth::Cloth;
+use crate::grid::{Grid, Node};
+use crate::link::Links;
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::units::Units;
+
+/// Tethers from each particle to up to `N` pins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tether<S, const N: usize> {
+    anchors: Vec<Node, N>,
+    sides: [S; 2],
+}
+
+impl<S: Scalar, const N: usize> Tether<S, N> {
+    /// Tethers to `anchors`, each `1 + slack` times as long as the distance at rest.
+    ///
+    /// # Errors
+    /// Gives back the anchors if there are more than `N`.
+    pub fn new<'a>(units: &Units, anchors: &'a [Node], slack: S) -> Result<Self, &'a [Node]> {
+        let sides = units.sides.map(|side| S::from_f64(side) * (S::ONE + slack));
+        Vec::from_slice(anchors).map(|anchors| Self { anchors, sides }).map_err(|_| anchors)
+    }
+}
+
+impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
+    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
+        for &anchor in &self.anchors {
+            let pin = cloth.position[anchor];
+            for node in Grid::<S, W, H>::nodes() {
+                if cloth.is_pinned(node) {
+                    continue;
+                }
+                let across = self.sides[0].times(node.column as i32 - anchor.column as i32);
+                let down = self.sides[1].times(node.row as i32 - anchor.row as i32);
+                let longest = across.product(across) + down.product(down);
+                let d = pin - cloth.position[node];
+                let squared = d.squared();
+                // slack: no root
+                if squared > longest {
+                    let part = S::ONE - S::root(longest).divide(S::root(squared));
+                    cloth.displace(node, d * part, moment);
+                }
+            }
+        }
+    }
+}

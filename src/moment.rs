@@ -1,0 +1,35 @@
+//! A moment within a frame.
+
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+
+/// Which substep of a frame a solver is in, and how displacements and velocities belong together there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Moment {
+    /// The substep, counted from 1.
+    pub substep: u32,
+    /// The logarithm to base 2 of the substeps in a tick.
+    pub shift: u32,
+    /// Twice the velocity, in units of displacement per substep, that belongs to a displacement: 2 for one-step methods, 3 for BDF2.
+    pub halves: u32,
+}
+
+impl Moment {
+    /// The time since the frame's start, ticks (at most one).
+    #[inline]
+    pub fn ticks<S: Scalar>(self) -> S {
+        S::ONE.halve(self.shift).times(self.substep as i32)
+    }
+
+    /// The velocity that belongs to a displacement within the substep.
+    #[inline]
+    pub fn velocity<S: Scalar>(self, displacement: Vec3<S>) -> Vec3<S> {
+        displacement.map(|component| component.rate(self.halves, self.shift))
+    }
+
+    /// The displacement in the substep with a velocity.
+    #[inline]
+    pub fn displacement<S: Scalar>(self, velocity: Vec3<S>) -> Vec3<S> {
+        velocity.halve(self.shift)
+    }
+}

@@ -1,0 +1,87 @@
+//! The description of what happens to a sheet, and the step.
+
+use crate::cloth::Cloth;
+use crate::collider::Collider;
+use crate::force::Force;
+use crate::grid::Node;
+use crate::link::Links;
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::solver::{Physics, Solver};
+use crate::units::Units;
+use crate::vec3::Vec3;
+
+/// Forces, links, colliders and the solver that moves sheets among them.
+///
+/// A scene is configuration, and one scene moves many sheets; what changes with a sheet is in its [`Cloth`] and in the solver's memory. Slots
+/// that a scene doesn't need are `()` and cost nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<F, L, C, V> {
+    /// What pulls from outside.
+    pub forces: F,
+    /// What holds particles together.
+    pub links: L,
+    /// What is in the way.
+    pub colliders: C,
+    /// How the sheet is moved.
+    pub solver: V,
+    substeps: u32,
+    shift: u32,
+}
+
+impl<F, L, C, V> Scene<F, L, C, V> {
+    /// A scene in these units.
+    pub const fn new(units: &Units, forces: F, links: L, colliders: C, solver: V) -> Self {
+        Self { forces, links, colliders, solver, substeps: units.substeps, shift: units.shift() }
+    }
+
+    /// The solver's memory for a sheet at the start of its motion.
+    pub fn memory<S: Scalar, const W: usize, const H: usize>(&self) -> V::Memory<W, H>
+    where
+        V: Solver<S>,
+    {
+        self.solver.memory()
+    }
+
+    /// Moves `cloth` by one frame. Cannot fail.
+    pub fn step<S, const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, memory: &mut V::Memory<W, H>)
+    where
+        S: Scalar,
+        F: Force<S>,
+        L: Links<S>,
+        C: Collider<S>,
+        V: Solver<S>,
+    {
+        let Self { forces, links, colliders, solver, substeps, shift } = self;
+        for substep in 1..=*substeps {
+            let moment = Moment { substep, shift: *shift, halves: 2 };
+            solver.substep(Physics { forces, links, colliders }, cloth, memory, moment);
+        }
+    }
+
+    /// Moves the colliders on to the end of a frame: call it after all sheets have made their step.
+    pub fn advance<S: Scalar>(&mut self)
+    where
+        C: Collider<S>,
+    {
+        self.colliders.advance(self.end());
+    }
+
+    /// Lets a pin travel to `target` in the next frame. It goes on at the same speed until it is told otherwise: call this for every frame in
+    /// which the pin moves, and once more with the same target to stop it there.
+    pub fn move_pin<S: Scalar, const W: usize, const H: usize>(
+        &self,
+        cloth: &mut Cloth<S, W, H>,
+        node: Node,
+        target: Vec3<S>,
+    ) {
+        // a frame is substeps/2^shift ticks, between a half and one
+        let way = target - cloth.position[node];
+        let ticks: S = self.end().ticks();
+        cloth.velocity[node] = way.map(|component| component.divide(ticks));
+    }
+
+    fn end(&self) -> Moment {
+        Moment { substep: self.substeps, shift: self.shift, halves: 2 }
+    }
+}

@@ -1,0 +1,86 @@
+//! Ways to move a sheet, one in each room. Every one approximates the same differential equation
+//!
+//! `m·a = m·g − m·γ·v + wind + Σ −k·(|d| − L)·d/|d| − k_d·(v_i − v_j)`
+//!
+//! and differs in order, cost and in how stiff a sheet may be.
+//!
+//! | solver | order | stable for | cost per substep | use it for |
+//! |---|---|---|---|---|
+//! | [`ForwardEuler`] | 1 | never without damping | one force sum | seeing why not |
+//! | [`Leapfrog`] | 2 | h < 2/ω | one force sum | soft sheets, references |
+//! | [`Verlet`] | 1 | any h | K sweeps | the thesis' method |
+//! | [`Xpbd`] | 1 | any h | one sweep | stiff sheets, small code |
+//! | [`BackwardEuler`] | 1 | any h | conjugate gradients | few large steps |
+
+mod backward_euler;
+mod force_sum;
+mod forward_euler;
+mod leapfrog;
+mod lines;
+mod predict;
+mod sweep;
+mod verlet;
+mod xpbd;
+
+use crate::cloth::Cloth;
+use crate::collider::{Collider, resolve};
+use crate::force::Force;
+use crate::link::Links;
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+
+pub use backward_euler::BackwardEuler;
+pub use forward_euler::ForwardEuler;
+pub use leapfrog::Leapfrog;
+pub use lines::Lines;
+pub use verlet::Verlet;
+pub use xpbd::Xpbd;
+
+/// All that acts on a sheet.
+#[derive(Debug)]
+pub struct Physics<'a, F, L, C> {
+    /// What pulls from outside.
+    pub forces: &'a F,
+    /// What holds particles together.
+    pub links: &'a L,
+    /// What is in the way.
+    pub colliders: &'a C,
+}
+
+// not derived: references are copied whatever they refer to
+impl<F, L, C> Copy for Physics<'_, F, L, C> {}
+
+impl<F, L, C> Clone for Physics<'_, F, L, C> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+/// A way to move a sheet.
+pub trait Solver<S: Scalar> {
+    /// What the solver remembers from substep to substep, or needs within one.
+    type Memory<const W: usize, const H: usize>;
+
+    /// Memory for a sheet at the start of its motion.
+    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H>;
+
+    /// Moves `cloth` by one substep. Cannot fail.
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        memory: &mut Self::Memory<W, H>,
+        moment: Moment,
+    );
+}
+
+/// Ends a substep: what links and colliders forbid is undone.
+#[inline]
+fn confine<S: Scalar, F, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+    physics: Physics<'_, F, L, C>,
+    cloth: &mut Cloth<S, W, H>,
+    moment: Moment,
+) {
+    physics.links.confine(cloth, moment);
+    resolve(physics.colliders, cloth, moment);
+}

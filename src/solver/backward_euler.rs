@@ -1,0 +1,284 @@
+//! Backward Euler: `x' = x + h·v'`, `v' = v + h·a(x', v')` (thesis, equation 4.10), solved by Newton's method and conjugate gradients.
+//!
+//! With the prediction x̂ and a correction c, so that `x' = x̂ + c`, a step is the root of
+//!
+//! `R(c) = −M·c + h²·f(x̂ + c) = 0`,
+//!
+//! and Newton's step solves `(M + h²·K)·Δ = R` with the stiffness of a link between unit vectors n (D. Baraff, A. Witkin, *Large steps in
+//! cloth simulation*, 1998; K.-J. Choi, H.-S. Ko, *Stable but responsive cloth*, 2002)
+//!
+//! `K = k·(n·nᵀ + max(0, 1 − L/|d|)·(I − n·nᵀ))`,
+//!
+//! positive definite because a compressed link's sideways stiffness, which is negative, is left out. That changes the way to the root, not the root.
+
+use crate::cloth::Cloth;
+use crate::collider::Collider;
+use crate::force::Force;
+use crate::grid::{Grid, Node};
+use crate::link::{Family, Links, Visitor, each};
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::solver::{Physics, Solver, confine, predict};
+use crate::vec3::Vec3;
+
+/// Backward Euler, first order, stable for any stiffness and step; it damps what it can't resolve.
+///
+/// Wind acts with its strength at the start of the substep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BackwardEuler {
+    /// Newton steps in a substep, at least one. One linearises the forces once, as Baraff and Witkin do; three are at the root for usual steps.
+    pub newton_steps: u32,
+}
+
+/// The most conjugate-gradient steps within a Newton step. About the number of particles a side times the square root of κ suffice.
+const MOST_CONJUGATE_STEPS: u32 = 200;
+
+/// The residual, relative to that of the Newton step's start, at which conjugate gradients end.
+const TOLERANCE: f64 = 1e-3;
+
+/// The five vectors of Newton's method and conjugate gradients.
+#[derive(Clone, Copy, Debug)]
+pub struct Memory<S, const W: usize, const H: usize> {
+    correction: Grid<Vec3<S>, W, H>,
+    step: Grid<Vec3<S>, W, H>,
+    residual: Grid<Vec3<S>, W, H>,
+    direction: Grid<Vec3<S>, W, H>,
+    product: Grid<Vec3<S>, W, H>,
+}
+
+impl<S: Scalar> Solver<S> for BackwardEuler {
+    type Memory<const W: usize, const H: usize> = Memory<S, W, H>;
+
+    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+        let zero = Grid::filled(Vec3::ZERO);
+        Memory { correction: zero, step: zero, residual: zero, direction: zero, product: zero }
+    }
+
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        memory: &mut Self::Memory<W, H>,
+        moment: Moment,
+    ) {
+        let shift = moment.shift;
+        let inertia = S::ONE + physics.forces.drag().rate;
+        let slowed = inertia.recip();
+        predict::predict(physics.forces, cloth, shift, |velocity, gain| {
+            if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
+        });
+        let system = System { inertia, scale: scale(physics.links) };
+        memory.correction = Grid::filled(Vec3::ZERO);
+        for _ in 0..self.newton_steps {
+            system.residual(physics.links, cloth, memory, shift);
+            system.conjugate_gradients(physics.links, cloth, memory);
+            for node in Grid::<S, W, H>::nodes() {
+                let step = memory.step[node];
+                memory.correction[node] += step;
+                cloth.displace(node, step, moment);
+            }
+        }
+        confine(physics, cloth, moment);
+    }
+}
+
+/// The linear system, divided by the largest κ if that exceeds one: its numbers then fit fixed point.
+struct System<S> {
+    /// 1 + γ·h: drag adds to inertia.
+    inertia: S,
+    scale: S,
+}
+
+impl<S: Scalar> System<S> {
+    fn mass<const W: usize, const H: usize>(&self, cloth: &Cloth<S, W, H>, node: Node) -> S {
+        (self.scale * self.inertia).divide(cloth.inverse_mass[node])
+    }
+
+    /// κ over the largest κ.
+    fn stiffness(&self, family: &Family<S>) -> S {
+        let quotient = family.strength;
+        if quotient.divisor <= self.scale {
+            quotient.dividend
+        } else {
+            quotient.dividend * self.scale.divide(quotient.divisor)
+        }
+    }
+
+    fn residual<L: Links<S>, const W: usize, const H: usize>(
+        &self,
+        links: &L,
+        cloth: &Cloth<S, W, H>,
+        memory: &mut Memory<S, W, H>,
+        shift: u32,
+    ) {
+        for node in Grid::<S, W, H>::nodes() {
+            memory.residual[node] =
+                if cloth.is_pinned(node) { Vec3::ZERO } else { -(memory.correction[node] * self.mass(cloth, node)) };
+        }
+        links.springs(&mut Pull { system: self, cloth, residual: &mut memory.residual });
+        if L::DAMPED {
+            links.dampers(&mut Brake { system: self, cloth, residual: &mut memory.residual, shift });
+        }
+        clear_pins(cloth, &mut memory.residual);
+    }
+
+    fn multiply<L: Links<S>, const W: usize, const H: usize>(
+        &self,
+        links: &L,
+        cloth: &Cloth<S, W, H>,
+        direction: &Grid<Vec3<S>, W, H>,
+        product: &mut Grid<Vec3<S>, W, H>,
+    ) {
+        for node in Grid::<S, W, H>::nodes() {
+            product[node] = if cloth.is_pinned(node) { Vec3::ZERO } else { direction[node] * self.mass(cloth, node) };
+        }
+        links.springs(&mut Stiffness { system: self, cloth, direction, product });
+        if L::DAMPED {
+            links.dampers(&mut Viscosity { system: self, direction, product });
+        }
+        clear_pins(cloth, product);
+    }
+
+    /// Solves for `memory.step` (M. Hestenes, E. Stiefel, 1952).
+    fn conjugate_gradients<L: Links<S>, const W: usize, const H: usize>(
+        &self,
+        links: &L,
+        cloth: &Cloth<S, W, H>,
+        memory: &mut Memory<S, W, H>,
+    ) {
+        let Memory { step, residual, direction, product, .. } = memory;
+        *step = Grid::filled(Vec3::ZERO);
+        *direction = *residual;
+        let tolerance = S::from_f64(TOLERANCE * TOLERANCE);
+        let start = dot(residual, residual);
+        let mut squared = start;
+        for _ in 0..MOST_CONJUGATE_STEPS {
+            self.multiply(links, cloth, direction, product);
+            let curvature = dot(direction, product);
+            if curvature <= S::EMPTY {
+                break;
+            }
+            let length = S::quotient(squared, curvature);
+            for node in Grid::<S, W, H>::nodes() {
+                step[node] += direction[node] * length;
+                residual[node] -= product[node] * length;
+            }
+            let next = dot(residual, residual);
+            if next <= S::EMPTY || S::quotient(next, start) < tolerance {
+                break;
+            }
+            let turn = S::quotient(next, squared);
+            squared = next;
+            for node in Grid::<S, W, H>::nodes() {
+                direction[node] = residual[node] + direction[node] * turn;
+            }
+        }
+    }
+}
+
+fn dot<S: Scalar, const W: usize, const H: usize>(a: &Grid<Vec3<S>, W, H>, b: &Grid<Vec3<S>, W, H>) -> S::Sum {
+    a.values().zip(b.values()).fold(S::EMPTY, |sum, (&a, &b)| S::accumulate(sum, a.dot_wide(b)))
+}
+
+fn clear_pins<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, vector: &mut Grid<Vec3<S>, W, H>) {
+    for node in Grid::<S, W, H>::nodes() {
+        if cloth.is_pinned(node) {
+            vector[node] = Vec3::ZERO;
+        }
+    }
+}
+
+/// min(1, 1/κ) over all families; rigid links count as the stiffest that the number type resolves well.
+fn scale<S: Scalar, L: Links<S>>(links: &L) -> S {
+    struct Stiffest<S>(S);
+    impl<S: Scalar> Visitor<S> for Stiffest<S> {
+        fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+            self.0 = self.0.min(family.strength.divisor);
+        }
+    }
+    let mut stiffest = Stiffest(S::ONE);
+    links.springs(&mut stiffest);
+    stiffest.0.max(S::from_f64(1e-6))
+}
+
+/// Adds spring forces.
+struct Pull<'a, S, const W: usize, const H: usize> {
+    system: &'a System<S>,
+    cloth: &'a Cloth<S, W, H>,
+    residual: &'a mut Grid<Vec3<S>, W, H>,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Pull<'_, S, W, H> {
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        let stiffness = self.system.stiffness(family);
+        each::<ACROSS, DOWN, W, H>(|a, b| {
+            let d = self.cloth.position[b] - self.cloth.position[a];
+            let pull = d * (S::elongation(d.squared(), &family.rest) * stiffness);
+            self.residual[a] += pull;
+            self.residual[b] -= pull;
+        });
+    }
+}
+
+/// Adds damper forces.
+struct Brake<'a, S, const W: usize, const H: usize> {
+    system: &'a System<S>,
+    cloth: &'a Cloth<S, W, H>,
+    residual: &'a mut Grid<Vec3<S>, W, H>,
+    shift: u32,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H> {
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        let damping = self.system.stiffness(family);
+        each::<ACROSS, DOWN, W, H>(|a, b| {
+            let pull = (self.cloth.velocity[b] - self.cloth.velocity[a]).halve(self.shift) * damping;
+            self.residual[a] += pull;
+            self.residual[b] -= pull;
+        });
+    }
+}
+
+/// Multiplies by the springs' stiffness.
+struct Stiffness<'a, S, const W: usize, const H: usize> {
+    system: &'a System<S>,
+    cloth: &'a Cloth<S, W, H>,
+    direction: &'a Grid<Vec3<S>, W, H>,
+    product: &'a mut Grid<Vec3<S>, W, H>,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Stiffness<'_, S, W, H> {
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        let stiffness = self.system.stiffness(family);
+        let inverse_length = family.rest.length * family.rest.inverse_square;
+        each::<ACROSS, DOWN, W, H>(|a, b| {
+            let d = self.cloth.position[b] - self.cloth.position[a];
+            let elongation = S::elongation(d.squared(), &family.rest);
+            let normal = d * ((S::ONE - elongation) * inverse_length);
+            let sideways = elongation.max(S::ZERO);
+            let change = self.direction[b] - self.direction[a];
+            let along = normal * normal.dot(change);
+            let pull = (along * (S::ONE - sideways) + change * sideways) * stiffness;
+            self.product[a] -= pull;
+            self.product[b] += pull;
+        });
+    }
+}
+
+/// Multiplies by the dampers' strength.
+struct Viscosity<'a, S, const W: usize, const H: usize> {
+    system: &'a System<S>,
+    direction: &'a Grid<Vec3<S>, W, H>,
+    product: &'a mut Grid<Vec3<S>, W, H>,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Viscosity<'_, S, W, H> {
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        let damping = self.system.stiffness(family);
+        each::<ACROSS, DOWN, W, H>(|a, b| {
+            let pull = (self.direction[b] - self.direction[a]) * damping;
+            self.product[a] -= pull;
+            self.product[b] += pull;
+        });
+    }
+}

@@ -1,0 +1,76 @@
+//! The sum of all forces at the sheet's present positions and velocities, for the explicit solvers.
+
+use crate::cloth::Cloth;
+use crate::force::Force;
+use crate::grid::{Grid, Node};
+use crate::link::{Family, Links, Visitor, each};
+use crate::scalar::Scalar;
+use crate::solver::predict::field;
+use crate::vec3::Vec3;
+
+/// The velocities that particles gain in a substep (cells per tick), gravity included, drag not.
+pub(super) fn gains<S: Scalar, F: Force<S>, L: Links<S>, const W: usize, const H: usize>(
+    forces: &F,
+    links: &L,
+    cloth: &Cloth<S, W, H>,
+    shift: u32,
+    gain: &mut Grid<Vec3<S>, W, H>,
+) {
+    *gain = Grid::filled(Vec3::ZERO);
+    if F::FIELD {
+        let mut row_gain = [Vec3::ZERO; W];
+        for row in 0..H {
+            let below = field(forces, cloth, row, &mut row_gain);
+            gain.0[row] = row_gain;
+            row_gain = below;
+        }
+    }
+    links.springs(&mut Springs { cloth, gain, shift });
+    if L::DAMPED {
+        links.dampers(&mut Dampers { cloth, gain });
+    }
+    let uniform = forces.uniform();
+    for node in Grid::<S, W, H>::nodes() {
+        let inverse_mass = cloth.inverse_mass[node];
+        gain[node] = if inverse_mass == S::ZERO { Vec3::ZERO } else { gain[node] * inverse_mass + uniform };
+    }
+}
+
+struct Springs<'a, S, const W: usize, const H: usize> {
+    cloth: &'a Cloth<S, W, H>,
+    gain: &'a mut Grid<Vec3<S>, W, H>,
+    shift: u32,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Springs<'_, S, W, H> {
+    #[inline]
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        let stiffness = family.strength.value();
+        each::<ACROSS, DOWN, W, H>(|a, b| {
+            let d = self.cloth.position[b] - self.cloth.position[a];
+            let pull = d * (S::elongation(d.squared(), &family.rest) * stiffness);
+            exchange(self.gain, a, b, pull.double(self.shift));
+        });
+    }
+}
+
+struct Dampers<'a, S, const W: usize, const H: usize> {
+    cloth: &'a Cloth<S, W, H>,
+    gain: &'a mut Grid<Vec3<S>, W, H>,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Dampers<'_, S, W, H> {
+    #[inline]
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        let damping = family.strength.value();
+        each::<ACROSS, DOWN, W, H>(|a, b| {
+            exchange(self.gain, a, b, (self.cloth.velocity[b] - self.cloth.velocity[a]) * damping);
+        });
+    }
+}
+
+#[inline]
+fn exchange<S: Scalar, const W: usize, const H: usize>(gain: &mut Grid<Vec3<S>, W, H>, a: Node, b: Node, by: Vec3<S>) {
+    gain[a] += by;
+    gain[b] -= by;
+}

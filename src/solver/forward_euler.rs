@@ -1,0 +1,46 @@
+//! Forward Euler: `x' = x + h·v`, `v' = v + h·a(x, v)` (thesis, chapter 4).
+
+use crate::cloth::Cloth;
+use crate::collider::Collider;
+use crate::force::Force;
+use crate::grid::Grid;
+use crate::link::Links;
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::solver::{Physics, Solver, confine, force_sum, predict};
+use crate::vec3::Vec3;
+
+/// Forward Euler, first order.
+///
+/// Its amplification of an oscillation ω is √(1 + ω²h²) > 1: without damping every motion grows, and a stiff sheet explodes. Here to be
+/// seen beside the others.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ForwardEuler;
+
+impl<S: Scalar> Solver<S> for ForwardEuler {
+    /// The force on every particle.
+    type Memory<const W: usize, const H: usize> = Grid<Vec3<S>, W, H>;
+
+    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+        Grid::filled(Vec3::ZERO)
+    }
+
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        gain: &mut Self::Memory<W, H>,
+        moment: Moment,
+    ) {
+        force_sum::gains(physics.forces, physics.links, cloth, moment.shift, gain);
+        predict::drift(cloth, moment.shift);
+        let rate = physics.forces.drag().rate;
+        for node in Grid::<S, W, H>::nodes() {
+            if !cloth.is_pinned(node) {
+                let velocity = cloth.velocity[node];
+                cloth.velocity[node] = if F::DRAG { velocity - velocity * rate } else { velocity } + gain[node];
+            }
+        }
+        confine(physics, cloth, moment);
+    }
+}

@@ -1,0 +1,87 @@
+//! Where particles would go if nothing held them together: the first half of the constraint solvers.
+
+use crate::cloth::Cloth;
+use crate::force::{Force, Row};
+use crate::grid::{Grid, Node};
+use crate::link::{Family, Links, Visitor, each};
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+
+/// Gives every particle the velocity `next(velocity, gain)` and lets it drift with it for a substep.
+///
+/// Row by row: a row has all its wind once the cells below it are done, and no later row looks back at it. So the wind needs two rows
+/// of memory, and acts on the positions and velocities of one moment.
+#[inline]
+pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
+    forces: &F,
+    cloth: &mut Cloth<S, W, H>,
+    shift: u32,
+    next: impl Fn(Vec3<S>, Vec3<S>) -> Vec3<S>,
+) {
+    let uniform = forces.uniform();
+    let mut gain = [Vec3::ZERO; W];
+    for row in 0..H {
+        let below = field(forces, cloth, row, &mut gain);
+        for column in 0..W {
+            let node = Node { column, row };
+            let inverse_mass = cloth.inverse_mass[node];
+            if inverse_mass != S::ZERO {
+                let gain = if F::FIELD { gain[column] * inverse_mass + uniform } else { uniform };
+                cloth.velocity[node] = next(cloth.velocity[node], gain);
+            }
+        }
+        gain = below;
+    }
+    drift(cloth, shift);
+}
+
+/// Completes what the fields give to a row of particles of mass 1, and returns what they give to the next row so far.
+#[inline]
+pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
+    forces: &F,
+    cloth: &Cloth<S, W, H>,
+    row: usize,
+    gain: &mut [Vec3<S>; W],
+) -> [Vec3<S>; W] {
+    let mut below = [Vec3::ZERO; W];
+    if F::FIELD {
+        let particles = |row: usize| Row { position: &cloth.position.0[row], velocity: &cloth.velocity.0[row] };
+        forces.particles(particles(row), gain);
+        if row + 1 < H {
+            forces.cells([particles(row), particles(row + 1)], [gain, &mut below]);
+        }
+    }
+    below
+}
+
+/// Moves every particle with its velocity for `1/2^shift` of a tick.
+#[inline]
+pub(super) fn drift<S: Scalar, const W: usize, const H: usize>(cloth: &mut Cloth<S, W, H>, shift: u32) {
+    for node in Grid::<S, W, H>::nodes() {
+        cloth.position[node] += cloth.velocity[node].halve(shift);
+    }
+}
+
+/// Lets dampers act on velocities, one after the other and implicitly, so that no strength overshoots.
+#[inline]
+pub(super) fn damp<S: Scalar, L: Links<S>, const W: usize, const H: usize>(links: &L, cloth: &mut Cloth<S, W, H>) {
+    if L::DAMPED {
+        links.dampers(&mut Damp { cloth });
+    }
+}
+
+struct Damp<'a, S, const W: usize, const H: usize> {
+    cloth: &'a mut Cloth<S, W, H>,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Damp<'_, S, W, H> {
+    #[inline]
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        each::<ACROSS, DOWN, W, H>(|a, b| {
+            let (wa, wb) = (self.cloth.inverse_mass[a], self.cloth.inverse_mass[b]);
+            let by = (self.cloth.velocity[b] - self.cloth.velocity[a]) * family.strength.against(wa + wb);
+            self.cloth.velocity[a] += by * wa;
+            self.cloth.velocity[b] -= by * wb;
+        });
+    }
+}

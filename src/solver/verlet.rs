@@ -1,0 +1,45 @@
+//! Position Verlet with repeated relaxation (thesis, chapter 5; T. Jakobsen, *Advanced character physics*, 2001).
+
+use crate::cloth::Cloth;
+use crate::collider::Collider;
+use crate::force::Force;
+use crate::link::Links;
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::solver::{Physics, Solver, confine, predict, sweep};
+
+/// Position Verlet `x' = x + (1 − D)·(x − x_old) + h²·a`, then `sweeps` relaxations of all springs.
+///
+/// Position and last displacement are kept instead of two positions, which is the same and loses no digits. Each of the K sweeps relaxes a
+/// spring with a K-th of its stiffness, so that the method approximates springs of finite stiffness for any K, in first order. Too few
+/// sweeps leave a stiff sheet *super-elastic*: news travels one link a sweep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Verlet {
+    /// Relaxations of all springs in a substep, at least one.
+    pub sweeps: u32,
+}
+
+impl<S: Scalar> Solver<S> for Verlet {
+    /// Nothing.
+    type Memory<const W: usize, const H: usize> = ();
+
+    fn memory<const W: usize, const H: usize>(&self) {}
+
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        (): &mut (),
+        moment: Moment,
+    ) {
+        let decay = physics.forces.drag().decay;
+        predict::damp(physics.links, cloth);
+        predict::predict(physics.forces, cloth, moment.shift, |velocity, gain| {
+            if F::DRAG { velocity * decay + gain } else { velocity + gain }
+        });
+        for _ in 0..self.sweeps {
+            sweep::sweep(physics.links, cloth, moment, self.sweeps);
+        }
+        confine(physics, cloth, moment);
+    }
+}

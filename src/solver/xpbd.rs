@@ -1,0 +1,38 @@
+//! XPBD with one sweep in each of many substeps (M. Macklin and others, *Small steps in physics simulation*, 2019).
+
+use crate::cloth::Cloth;
+use crate::collider::Collider;
+use crate::force::Force;
+use crate::link::Links;
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::solver::{Physics, Solver, confine, predict, sweep};
+
+/// Extended position-based dynamics, first order, stable for any stiffness and step.
+///
+/// A substep predicts, then projects every spring once with its compliance. More substeps always help more than more sweeps would.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Xpbd;
+
+impl<S: Scalar> Solver<S> for Xpbd {
+    /// Nothing.
+    type Memory<const W: usize, const H: usize> = ();
+
+    fn memory<const W: usize, const H: usize>(&self) {}
+
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        (): &mut (),
+        moment: Moment,
+    ) {
+        let drag = physics.forces.drag();
+        predict::damp(physics.links, cloth);
+        predict::predict(physics.forces, cloth, moment.shift, |velocity, gain| {
+            if F::DRAG { velocity * drag.decay + gain * drag.gain } else { velocity + gain }
+        });
+        sweep::sweep(physics.links, cloth, moment, 1);
+        confine(physics, cloth, moment);
+    }
+}
