@@ -16,6 +16,8 @@ pub mod host;
 pub mod link;
 pub mod measure;
 pub mod moment;
+#[cfg(feature = "graphics")]
+pub mod render;
 pub mod scalar;
 pub mod scene;
 pub mod solver;
