@@ -21,8 +21,11 @@ pub(super) enum AnySolver {
     BackwardEuler(BackwardEuler),
     Leapfrog(Leapfrog),
     Xpbd(Xpbd),
-    Lines(Lines),
+    Lines(AllLines),
 }
+
+/// Remembers both directions of stretch, shear and bend.
+type AllLines = Lines<6>;
 
 type MemoryOf<V, S, const W: usize, const H: usize> = <V as Solver<S>>::Memory<W, H>;
 
@@ -32,7 +35,7 @@ pub(super) enum Memory<S: Scalar, const W: usize, const H: usize> {
     ForwardEuler(Box<MemoryOf<ForwardEuler, S, W, H>>),
     BackwardEuler(Box<MemoryOf<BackwardEuler, S, W, H>>),
     Leapfrog(Box<MemoryOf<Leapfrog, S, W, H>>),
-    Lines(Box<MemoryOf<Lines, S, W, H>>),
+    Lines(Box<MemoryOf<AllLines, S, W, H>>),
 }
 
 impl AnySolver {
@@ -48,7 +51,7 @@ impl AnySolver {
             SolverKind::BackwardEuler => Self::BackwardEuler(BackwardEuler { newton_steps: sweeps }),
             SolverKind::Leapfrog => Self::Leapfrog(Leapfrog),
             SolverKind::Xpbd => Self::Xpbd(Xpbd),
-            SolverKind::Lines => Self::Lines(Lines),
+            SolverKind::Lines => Self::Lines(AllLines { sweeps }),
         })
     }
 }
