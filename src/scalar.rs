@@ -102,6 +102,9 @@ pub trait Scalar:
     /// result is finite.
     fn elongation(squares: Self::Product, rest: &Rest<Self>) -> Self;
 
+    /// The whole number nearest to `self · factor`, ties upward: pixels, tones, depths. The result lies within 32 bits.
+    fn round_times(self, factor: i32) -> i32;
+
     /// `√squares − L` and `1/√squares`: by how much a link is longer than its rest length, and what makes its vector a unit vector.
     fn gauge(squares: Self::Product, rest: &Rest<Self>) -> (Self, Self);
 

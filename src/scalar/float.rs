@@ -3,7 +3,7 @@
 use super::{Rest, Scalar};
 
 macro_rules! float {
-    ($float:ty, $name:literal, $sqrt:path, $tiny:literal) => {
+    ($float:ty, $name:literal, $sqrt:path, $floor:path, $tiny:literal) => {
         impl Scalar for $float {
             const NAME: &'static str = $name;
             const ZERO: Self = 0.0;
@@ -71,6 +71,10 @@ macro_rules! float {
                 1.0 - rest.length / $sqrt(Scalar::max(squares, $tiny))
             }
             #[inline]
+            fn round_times(self, factor: i32) -> i32 {
+                $floor(self * factor as Self + 0.5) as i32
+            }
+            #[inline]
             fn gauge(squares: Self, rest: &Rest<Self>) -> (Self, Self) {
                 let length = $sqrt(Scalar::max(squares, $tiny));
                 (length - rest.length, 1.0 / length)
@@ -121,5 +125,5 @@ mod root {
     }
 }
 
-float!(f32, "f32", root::f32, 1e-20);
-float!(f64, "f64", root::f64, 1e-60);
+float!(f32, "f32", root::f32, libm::floorf, 1e-20);
+float!(f64, "f64", root::f64, libm::floor, 1e-60);
