@@ -13,6 +13,9 @@ use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Physics, Solver, Verlet, Xpbd};
 
+/// Directions of links in a scene with every family.
+const DIRECTIONS: usize = 6;
+
 /// One of the core's solvers.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum AnySolver {
@@ -21,11 +24,8 @@ pub(super) enum AnySolver {
     BackwardEuler(BackwardEuler),
     Leapfrog(Leapfrog),
     Xpbd(Xpbd),
-    Lines(AllLines),
+    Lines(Lines<DIRECTIONS>),
 }
-
-/// Remembers both directions of stretch, shear and bend.
-type AllLines = Lines<6>;
 
 type MemoryOf<V, S, const W: usize, const H: usize> = <V as Solver<S>>::Memory<W, H>;
 
@@ -35,7 +35,7 @@ pub(super) enum Memory<S: Scalar, const W: usize, const H: usize> {
     ForwardEuler(Box<MemoryOf<ForwardEuler, S, W, H>>),
     BackwardEuler(Box<MemoryOf<BackwardEuler, S, W, H>>),
     Leapfrog(Box<MemoryOf<Leapfrog, S, W, H>>),
-    Lines(Box<MemoryOf<AllLines, S, W, H>>),
+    Lines(Box<MemoryOf<Lines<DIRECTIONS>, S, W, H>>),
 }
 
 impl AnySolver {
@@ -51,7 +51,8 @@ impl AnySolver {
             SolverKind::BackwardEuler => Self::BackwardEuler(BackwardEuler { newton_steps: sweeps }),
             SolverKind::Leapfrog => Self::Leapfrog(Leapfrog),
             SolverKind::Xpbd => Self::Xpbd(Xpbd),
-            SolverKind::Lines => Self::Lines(AllLines { sweeps }),
+            // there and back
+            SolverKind::Lines => Self::Lines(Lines { sweeps: 2 * sweeps }),
         })
     }
 }

@@ -36,9 +36,16 @@ pub struct Lines<const N: usize = 4> {
     pub sweeps: u32,
 }
 
+impl Lines {
+    /// Two sweeps, multipliers for stretch and shear: what most scenes want.
+    pub const fn new() -> Self {
+        Self { sweeps: 2 }
+    }
+}
+
 impl<const N: usize> Default for Lines<N> {
     fn default() -> Self {
-        Self { sweeps: 1 }
+        Self { sweeps: 2 }
     }
 }
 
