@@ -5,6 +5,8 @@ mod args;
 mod pictures;
 mod report;
 mod staging;
+#[cfg(feature = "window")]
+mod window;
 
 use std::io::Write;
 use std::path::Path;
@@ -35,6 +37,9 @@ fn run(args: &Args) -> Result<(), String> {
     let mut scene = load(&args.scene)?;
     args.override_scene(&mut scene);
     if args.window {
+        #[cfg(feature = "window")]
+        return window::run(scene, args.scalar);
+        #[cfg(not(feature = "window"))]
         return Err("--window: built without the cargo feature `window`; add --features window".to_string());
     }
     let mut simulation = scene.simulation(args.scalar).map_err(|error| format!("{}: {error}", args.scene))?;
