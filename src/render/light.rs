@@ -14,7 +14,7 @@ use crate::vec3::Vec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
     /// The unit vector towards the lamp.
-    pub(super) towards: [f64; 3],
+    pub towards: [f64; 3],
     /// The lamp's colour on a surface that faces it.
     pub lamp: Rgb888,
     /// What surfaces that face upwards get from everywhere.
