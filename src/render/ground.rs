@@ -141,7 +141,7 @@ impl<S: Scalar, M: Cast> Backdrop<S> for Ground<M> {
             let stretch = Rectangle::new(Point::new(area.top_left.x, row), Size::new(area.size.width, 1));
             // further away than 64 times its height the eye sees none
             if eye.z <= S::ZERO || -ray.z <= eye.z.halve(6) {
-                target.fill_solid(&stretch, background)?;
+                target.fill_contiguous(&stretch, core::iter::repeat_n(background, area.size.width as usize))?;
                 continue;
             }
             let depth = eye.z.divide(-ray.z);
