@@ -25,6 +25,6 @@ pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
 pub use moment::Moment;
 pub use scalar::{Q24, Scalar};
 pub use scene::Scene;
-pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Solver, Verlet, Xpbd};
+pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Solver, Verlet, Xpbd};
 pub use units::{Point, Units};
 pub use vec3::Vec3;

@@ -78,10 +78,10 @@ impl<S: Scalar> Quotient<S> {
         self.dividend.divide(self.divisor + self.dividend * inverse_mass)
     }
 
-    /// κ/`parts`, for a spring that acts in several parts.
+    /// κ times a factor up to 1.
     #[must_use]
-    pub fn shared(self, parts: u32) -> Self {
-        Self { dividend: self.dividend.divide(S::from_int(parts as i32)), divisor: self.divisor }
+    pub fn scaled(self, factor: S) -> Self {
+        Self { dividend: self.dividend * factor, divisor: self.divisor }
     }
 }
 

@@ -99,6 +99,9 @@ pub trait Scalar:
     /// result is finite.
     fn elongation(squares: Self::Product, rest: &Rest<Self>) -> Self;
 
+    /// `√squares − L` and `1/√squares`: by how much a link is longer than its rest length, and what makes its vector a unit vector.
+    fn gauge(squares: Self::Product, rest: &Rest<Self>) -> (Self, Self);
+
     /// Adds a product to a sum.
     fn accumulate(sum: Self::Sum, product: Self::Product) -> Self::Sum;
 

@@ -16,6 +16,7 @@ mod backward_euler;
 mod force_sum;
 mod forward_euler;
 mod leapfrog;
+mod lines;
 mod predict;
 mod sweep;
 mod verlet;
@@ -31,6 +32,7 @@ use crate::scalar::Scalar;
 pub use backward_euler::BackwardEuler;
 pub use forward_euler::ForwardEuler;
 pub use leapfrog::Leapfrog;
+pub use lines::Lines;
 pub use verlet::Verlet;
 pub use xpbd::Xpbd;
 

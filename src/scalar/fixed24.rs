@@ -132,6 +132,27 @@ fn inverse_root_wide(x: u64) -> (u32, i32) {
     (inverse_root(m as u32), -half)
 }
 
+/// `squares/L²`, near one, with 48 fraction bits; it saturates at 2¹⁵, that is 181 rest lengths, where an elongation is 0.9945.
+#[inline]
+fn ratio(squares: i64, rest: &Rest<Q24>) -> u64 {
+    let (squares, inverse) = (squares as u64, rest.inverse_square.to_bits() as u64);
+    if squares < 1 << 54 {
+        // the product needs up to 86 bits: its upper and its lower part apart
+        ((squares >> FRACTION) * inverse + (((squares & 0xff_ffff) * inverse) >> FRACTION)).max(1)
+    } else {
+        ((u128::from(squares) * u128::from(inverse)) >> FRACTION).min(u128::from(u64::MAX >> 1)) as u64
+    }
+}
+
+/// `1/√ratio` with 24 fraction bits, rounded to nearest.
+#[inline]
+fn inverse_stretch(ratio: u64) -> i64 {
+    let (y, e) = inverse_root_wide(ratio);
+    // y has 31 fraction bits
+    let drop = 7 - e;
+    if drop > 0 { ((i64::from(y) >> (drop - 1)) + 1) >> 1 } else { i64::from(y) << -drop }
+}
+
 impl Scalar for Q24 {
     const NAME: &'static str = "q24";
     const ZERO: Self = Self::from_bits(0);
@@ -239,20 +260,16 @@ impl Scalar for Q24 {
         if squares <= 0 {
             return Self::ZERO;
         }
-        // ratio = squares/L², near one, in 48 fraction bits; it saturates at 2¹⁵, 181 rest lengths, where the result is 0.9945
-        let inverse = rest.inverse_square.to_bits() as u64;
-        let ratio = if squares < 1 << 54 {
-            let x = squares as u64;
-            // x·inverse would need 86 bits: the upper and the lower half apart
-            (((x >> 24) * inverse) + (((x & 0xff_ffff) * inverse) >> 24)).max(1)
-        } else {
-            ((u128::from(squares as u64) * u128::from(inverse)) >> 24).min(u128::from(u64::MAX >> 1)) as u64
-        };
-        let (y, e) = inverse_root_wide(ratio);
-        // y has 31 fraction bits, the result 24
-        let drop = 7 - e;
-        let inverse_stretch = if drop > 0 { ((i64::from(y) >> (drop - 1)) + 1) >> 1 } else { i64::from(y) << -drop };
-        saturate((1 << FRACTION) - inverse_stretch)
+        saturate((1 << FRACTION) - inverse_stretch(ratio(squares, rest)))
+    }
+
+    #[inline]
+    fn gauge(squares: i64, rest: &Rest<Self>) -> (Self, Self) {
+        if squares <= 0 {
+            return (-rest.length, Self::ZERO);
+        }
+        let inverse = saturate(inverse_stretch(ratio(squares, rest)));
+        (Self::root(squares) - rest.length, inverse * (rest.length * rest.inverse_square))
     }
 
     #[inline]

@@ -70,6 +70,11 @@ macro_rules! float {
                 1.0 - rest.length / $sqrt(Scalar::max(squares, $tiny))
             }
             #[inline]
+            fn gauge(squares: Self, rest: &Rest<Self>) -> (Self, Self) {
+                let length = $sqrt(Scalar::max(squares, $tiny));
+                (length - rest.length, 1.0 / length)
+            }
+            #[inline]
             fn accumulate(sum: Self, product: Self) -> Self {
                 sum + product
             }

@@ -28,7 +28,11 @@ struct Project<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        let strength = if self.parts == 1 { family.strength } else { family.strength.shared(self.parts) };
+        let strength = if self.parts == 1 {
+            family.strength
+        } else {
+            family.strength.scaled(S::from_int(self.parts as i32).recip())
+        };
         // nearly all links join two ordinary particles: their quotient is formed once
         let two = S::ONE + S::ONE;
         let ordinary = strength.against(two);

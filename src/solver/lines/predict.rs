@@ -1,0 +1,93 @@
+//! Where a substep starts.
+
+use crate::cloth::Cloth;
+use crate::force::{Force, Row};
+use crate::grid::Node;
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::solver::predict;
+use crate::vec3::Vec3;
+
+use super::{History, Memory};
+
+/// Backward Euler without links: `v̂ = (v + gain)/(1 + γ·h)`, `x̂ = x + h·v̂`.
+pub(super) fn first_order<S: Scalar, F: Force<S>, const W: usize, const H: usize, const N: usize>(
+    forces: &F,
+    cloth: &mut Cloth<S, W, H>,
+    memory: &mut Memory<S, W, H, N>,
+    moment: Moment,
+) {
+    memory.earlier = cloth.velocity;
+    let slowed = (S::ONE + forces.drag().rate).recip();
+    predict::predict(forces, cloth, moment.shift, |velocity, gain| {
+        if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
+    });
+}
+
+/// The second-order rule without links, `v̂ = (v + (v − v₋)/3 + (2/3)·gain)/(1 + (2/3)·γ·h)`, `x̂ = x + h·(4·v̂ + v + v₋)/6`.
+pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usize, const N: usize>(
+    forces: &F,
+    cloth: &mut Cloth<S, W, H>,
+    memory: &mut Memory<S, W, H, N>,
+    moment: Moment,
+) {
+    let third = S::ONE.divide(S::from_int(3));
+    let two_thirds = third + third;
+    let sixth = third.halve(1);
+    let drag = forces.drag().rate;
+    let slowed = (S::ONE + two_thirds * drag).recip();
+    let uniform = forces.uniform();
+    let start = memory.history == History::None;
+    let mut gain = [Vec3::ZERO; W];
+    let mut here = if F::FIELD { Some(ahead(cloth, memory, 0, start, moment)) } else { None };
+    for row in 0..H {
+        let mut below_gain = [Vec3::ZERO; W];
+        if let Some((position, velocity)) = &here {
+            let upper = Row { position, velocity };
+            forces.particles(upper, &mut gain);
+            let below = (row + 1 < H).then(|| ahead(cloth, memory, row + 1, start, moment));
+            if let Some((position, velocity)) = &below {
+                forces.cells([upper, Row { position, velocity }], [&mut gain, &mut below_gain]);
+            }
+            here = below;
+        }
+        for column in 0..W {
+            let node = Node { column, row };
+            let inverse_mass = cloth.inverse_mass[node];
+            let v = cloth.velocity[node];
+            if inverse_mass == S::ZERO {
+                cloth.position[node] += moment.displacement(v);
+                continue;
+            }
+            let gain = if F::FIELD { gain[column] * inverse_mass + uniform } else { uniform };
+            let earlier = if start { v - if F::DRAG { gain - v * drag } else { gain } } else { memory.earlier[node] };
+            let mut next = v + (v - earlier) * third + gain * two_thirds;
+            if F::DRAG {
+                next = next * slowed;
+            }
+            memory.earlier[node] = v;
+            cloth.velocity[node] = next;
+            cloth.position[node] += moment.displacement(next * two_thirds + (v + earlier) * sixth);
+        }
+        gain = below_gain;
+    }
+}
+
+/// A row's positions and velocities at the substep's end, extrapolated from the last two substeps. Wind at its start would be of first order.
+#[inline]
+fn ahead<S: Scalar, const W: usize, const H: usize, const N: usize>(
+    cloth: &Cloth<S, W, H>,
+    memory: &Memory<S, W, H, N>,
+    row: usize,
+    start: bool,
+    moment: Moment,
+) -> ([Vec3<S>; W], [Vec3<S>; W]) {
+    let (mut position, mut velocity) = (cloth.position.0[row], cloth.velocity.0[row]);
+    for column in 0..W {
+        let v = velocity[column];
+        let change = if start { Vec3::ZERO } else { v - memory.earlier.0[row][column] };
+        velocity[column] = v + change;
+        position[column] += moment.displacement(v + change.halve(1));
+    }
+    (position, velocity)
+}
