@@ -1,6 +1,9 @@
 //! Cloth that runs on a microcontroller.
 #![no_std]
 
+#[cfg(feature = "std")]
+extern crate std;
+
 #[cfg(all(target_os = "none", feature = "std"))]
 compile_error!("the features `std` and `window` are for programs on a host: build firmware without them");
 
@@ -8,9 +11,13 @@ pub mod cloth;
 pub mod collider;
 pub mod force;
 pub mod grid;
+#[cfg(feature = "std")]
+pub mod host;
 pub mod link;
 pub mod measure;
 pub mod moment;
+#[cfg(feature = "graphics")]
+pub mod render;
 pub mod scalar;
 pub mod scene;
 pub mod solver;

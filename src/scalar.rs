@@ -44,6 +44,9 @@ pub trait Scalar:
     /// The spacing of numbers just above one.
     const RESOLUTION: f64;
 
+    /// Whether small numbers keep as many digits as large ones: then the scale of a number is free to choose.
+    const FLOATS: bool = false;
+
     /// A product of two numbers, wide enough for three of them to be added without overflow; exact in fixed point.
     type Product: Copy + Debug + PartialOrd + Add<Output = Self::Product>;
     /// A sum of many products, as the dot product of two whole sheets.
@@ -98,6 +101,9 @@ pub trait Scalar:
     /// Multiplied by the link's vector this is its elongation as a vector. For coincident particles, which have no direction, the
     /// result is finite.
     fn elongation(squares: Self::Product, rest: &Rest<Self>) -> Self;
+
+    /// The whole number nearest to `self · factor`, ties upward: pixels, tones, depths. The result lies within 32 bits.
+    fn round_times(self, factor: i32) -> i32;
 
     /// `√squares − L` and `1/√squares`: by how much a link is longer than its rest length, and what makes its vector a unit vector.
     fn gauge(squares: Self::Product, rest: &Rest<Self>) -> (Self, Self);

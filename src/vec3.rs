@@ -80,6 +80,13 @@ impl<S: Scalar> Vec3<S> {
         S::root(self.squared())
     }
 
+    /// `self · factor`, for small whole factors.
+    #[inline]
+    #[must_use]
+    pub fn times(self, factor: i32) -> Self {
+        self.map(|component| component.times(factor))
+    }
+
     /// `self · 2^shift`.
     #[inline]
     #[must_use]

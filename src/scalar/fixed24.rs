@@ -273,6 +273,11 @@ impl Scalar for Q24 {
     }
 
     #[inline]
+    fn round_times(self, factor: i32) -> i32 {
+        round(i64::from(self.to_bits()) * i64::from(factor)) as i32
+    }
+
+    #[inline]
     fn accumulate(sum: i128, product: i64) -> i128 {
         sum + i128::from(product)
     }
@@ -367,6 +372,17 @@ mod tests {
             assert_eq!(Q24::elongation(squares, &rest), Q24::ZERO);
         }
         assert_eq!(Q24::elongation(0, &Rest::spanning(Q24::ONE, Q24::ZERO)), Q24::ZERO);
+    }
+
+    #[test]
+    fn whole_numbers_are_the_nearest() {
+        for (value, factor, expected) in
+            [(0.5, 1, 1), (-0.5, 1, 0), (0.49, 1, 0), (-1.51, 1, -2), (127.9, 1_000_000, 127_900_000)]
+        {
+            assert_eq!(number(value).round_times(factor) / 10, expected / 10, "{value} · {factor}");
+            assert_eq!(value.round_times(factor), expected, "{value} · {factor}");
+        }
+        assert_eq!(number(-0.5).round_times(3), -1);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::{Rest, Scalar};
 
 macro_rules! float {
-    ($float:ty, $name:literal, $sqrt:path, $tiny:literal) => {
+    ($float:ty, $name:literal, $sqrt:path, $floor:path, $tiny:literal) => {
         impl Scalar for $float {
             const NAME: &'static str = $name;
             const ZERO: Self = 0.0;
@@ -12,6 +12,7 @@ macro_rules! float {
             const LARGEST: f64 = <$float>::MAX as f64;
             const RESOLUTION: f64 = <$float>::EPSILON as f64;
             const EMPTY: Self = 0.0;
+            const FLOATS: bool = true;
 
             type Product = Self;
             type Sum = Self;
@@ -70,6 +71,10 @@ macro_rules! float {
                 1.0 - rest.length / $sqrt(Scalar::max(squares, $tiny))
             }
             #[inline]
+            fn round_times(self, factor: i32) -> i32 {
+                $floor(self * factor as Self + 0.5) as i32
+            }
+            #[inline]
             fn gauge(squares: Self, rest: &Rest<Self>) -> (Self, Self) {
                 let length = $sqrt(Scalar::max(squares, $tiny));
                 (length - rest.length, 1.0 / length)
@@ -102,5 +107,23 @@ macro_rules! float {
     };
 }
 
-float!(f32, "f32", libm::sqrtf, 1e-20);
-float!(f64, "f64", libm::sqrt, 1e-60);
+// Both square roots are correctly rounded: the same bits, but the standard library's is one instruction on a host.
+#[cfg(not(feature = "std"))]
+mod root {
+    pub(super) use libm::{sqrt as f64, sqrtf as f32};
+}
+#[cfg(feature = "std")]
+mod root {
+    extern crate std;
+    #[inline]
+    pub(super) fn f32(squares: f32) -> f32 {
+        squares.sqrt()
+    }
+    #[inline]
+    pub(super) fn f64(squares: f64) -> f64 {
+        squares.sqrt()
+    }
+}
+
+float!(f32, "f32", root::f32, libm::floorf, 1e-20);
+float!(f64, "f64", root::f64, libm::floor, 1e-60);

@@ -19,9 +19,14 @@ pub(super) fn first_order<S: Scalar, F: Force<S>, const W: usize, const H: usize
 ) {
     memory.earlier = cloth.velocity;
     let slowed = (S::ONE + forces.drag().rate).recip();
-    predict::predict(forces, cloth, moment.shift, |velocity, gain| {
-        if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
-    });
+    predict::predict(
+        forces,
+        cloth,
+        moment.shift,
+        |velocity, gain| {
+            if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
+        },
+    );
 }
 
 /// The second-order rule without links, `v̂ = (v + (v − v₋)/3 + (2/3)·gain)/(1 + (2/3)·γ·h)`, `x̂ = x + h·(4·v̂ + v + v₋)/6`.

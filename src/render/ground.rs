@@ -1,0 +1,164 @@
+//! The ground and what is behind it.
+
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::primitives::Rectangle;
+
+use super::camera::Camera;
+use super::light::Light;
+use super::shadow::{Cast, Field};
+use super::solid::Solids;
+use super::tone::{Shade, Toned, mix};
+use crate::cloth::Cloth;
+use crate::scalar::Scalar;
+use crate::units::{Length, Point as Place};
+use crate::vec3::Vec3;
+
+/// What is drawn before everything else: nothing, `()`, a plain colour, or a [`Ground`].
+pub trait Backdrop<S: Scalar> {
+    /// Prepares for this picture.
+    fn prepare<O: Solids<S>, const W: usize, const H: usize>(
+        &mut self,
+        cloth: &Cloth<S, W, H>,
+        solids: &O,
+        light: &Light,
+    );
+
+    /// Draws it all over the target.
+    ///
+    /// # Errors
+    /// Whatever the target reports.
+    fn draw<D: DrawTarget<Color: Shade>>(&self, camera: &Camera<S>, target: &mut D) -> Result<(), D::Error>;
+}
+
+impl<S: Scalar> Backdrop<S> for () {
+    fn prepare<O: Solids<S>, const W: usize, const H: usize>(&mut self, _: &Cloth<S, W, H>, _: &O, _: &Light) {}
+
+    fn draw<D: DrawTarget<Color: Shade>>(&self, _: &Camera<S>, _: &mut D) -> Result<(), D::Error> {
+        Ok(())
+    }
+}
+
+impl<S: Scalar> Backdrop<S> for Rgb888 {
+    fn prepare<O: Solids<S>, const W: usize, const H: usize>(&mut self, _: &Cloth<S, W, H>, _: &O, _: &Light) {}
+
+    fn draw<D: DrawTarget<Color: Shade>>(&self, _: &Camera<S>, target: &mut D) -> Result<(), D::Error> {
+        Toned(target).clear(*self)
+    }
+}
+
+/// A level ground of tiles that fades into the background.
+///
+/// Each row of pixels costs a division, each pixel on the ground about eight products. Seen from below there is no ground, only the
+/// background.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ground<M = ()> {
+    /// The middle of what is seen of it, cells.
+    centre: [f64; 3],
+    /// How far from there it has faded away, cells.
+    reach: f64,
+    /// The side of a tile, cells.
+    tile: f64,
+    /// The colours of the tiles, in the light.
+    pub tones: [Rgb888; 2],
+    /// The background at the top and at the bottom of the screen.
+    pub background: [Rgb888; 2],
+    /// The shadow on it.
+    pub shadow: M,
+}
+
+impl Ground {
+    /// A light ground at the height of `centre`, without a shadow, that has faded away at a distance of `reach` from there.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for a `reach` that is not positive.
+    pub const fn new(centre: Place, reach: Length) -> Self {
+        assert!(reach.0 > 0.0, "a ground reaches somewhere");
+        Self {
+            centre: centre.0,
+            reach: reach.0,
+            tile: reach.0 / 8.0,
+            tones: [Rgb888::new(226, 218, 206), Rgb888::new(214, 205, 192)],
+            background: [Rgb888::new(206, 212, 216), Rgb888::new(236, 232, 224)],
+            shadow: (),
+        }
+    }
+
+    /// The same with a shadow on it.
+    pub fn shadow<M: Cast>(self, shadow: M) -> Ground<M> {
+        let Self { centre, reach, tile, tones, background, shadow: () } = self;
+        Ground { centre, reach, tile, tones, background, shadow }
+    }
+}
+
+impl<M> Ground<M> {
+    /// The same with tiles of this side, at least a 120th of the ground's reach.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for smaller tiles.
+    #[must_use]
+    pub fn tiles(self, side: Length) -> Self {
+        assert!(side.0 * 120.0 >= self.reach, "a ground reaches over 120 tiles at most");
+        Self { tile: side.0, ..self }
+    }
+
+    /// The same in other colours.
+    #[must_use]
+    pub fn tones(self, tones: [Rgb888; 2], background: [Rgb888; 2]) -> Self {
+        Self { tones, background, ..self }
+    }
+}
+
+impl<S: Scalar, M: Cast> Backdrop<S> for Ground<M> {
+    fn prepare<O: Solids<S>, const W: usize, const H: usize>(
+        &mut self,
+        cloth: &Cloth<S, W, H>,
+        solids: &O,
+        light: &Light,
+    ) {
+        let field = Field {
+            centre: Vec3::from_f64(self.centre),
+            reach: S::from_f64(self.reach),
+            towards: Vec3::from_f64(light.towards),
+        };
+        self.shadow.cast(cloth, solids, &field);
+    }
+
+    fn draw<D: DrawTarget<Color: Shade>>(&self, camera: &Camera<S>, target: &mut D) -> Result<(), D::Error> {
+        let area = target.bounding_box();
+        let target = &mut Toned(target);
+        // Lengths in the ground's reach: on the ground the middle is (0, 0), and where it has faded away is the unit circle.
+        let reach = S::from_f64(self.reach);
+        let tiles = reach.divide(S::from_f64(self.tile));
+        let [right, up, forward] = [camera.axes.right, camera.axes.up, camera.axes.forward];
+        let distance = camera.scale(reach).recip();
+        let eye = (camera.target() - Vec3::from_f64(self.centre)) * reach.recip() - forward * distance;
+        for row in area.rows() {
+            let background = mix(self.background[0], self.background[1], camera.fraction_down(row));
+            // A row of pixels sees a line on the ground: the eye never tilts its head.
+            let ray = forward + up * camera.slope_up(row);
+            let stretch = Rectangle::new(Point::new(area.top_left.x, row), Size::new(area.size.width, 1));
+            // further away than 64 times its height the eye sees none
+            if eye.z <= S::ZERO || -ray.z <= eye.z.halve(6) {
+                target.fill_solid(&stretch, background)?;
+                continue;
+            }
+            let depth = eye.z.divide(-ray.z);
+            let middle = eye + ray * depth;
+            let tones = stretch.columns().map(|column| {
+                let place = middle + right * (camera.slope_right(column) * depth);
+                let (x, y) = (place.x, place.y);
+                if x.abs() >= S::ONE || y.abs() >= S::ONE {
+                    return background;
+                }
+                let left = (S::ONE - x * x - y * y).max(S::ZERO);
+                let odd = ((x * tiles).round_times(1) + (y * tiles).round_times(1)) & 1;
+                let tone = self.shadow.darken(self.tones[odd as usize], x, y);
+                mix(background, tone, (left * left).round_times(256))
+            });
+            target.fill_contiguous(&stretch, tones)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,112 @@
+//! The surface between the particles.
+
+use crate::grid::{Grid, Node};
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+
+/// The surface through all particles whose tangent in each is that of its neighbours' chord (Catmull and Rom, "A class of local
+/// interpolating splines", 1974), both ways; beyond the border it goes on straight.
+///
+/// `column` and `row` name the first corner of a cell, `across` and `down` (0 to 1) the place in it.
+pub(super) fn point<S: Scalar, const W: usize, const H: usize>(
+    position: &Grid<Vec3<S>, W, H>,
+    corner: Node,
+    across: S,
+    down: S,
+) -> Vec3<S> {
+    let (horizontal, vertical) = (weights(across), weights(down));
+    let rows = [0, 1, 2, 3].map(|k| {
+        let row = corner.row as i32 + k - 1;
+        blend(horizontal, [0, 1, 2, 3].map(|k| beyond_rows(position, corner.column as i32 + k - 1, row)))
+    });
+    blend(vertical, rows)
+}
+
+fn blend<S: Scalar>(weights: [S; 4], points: [Vec3<S>; 4]) -> Vec3<S> {
+    points[0] * weights[0] + points[1] * weights[1] + points[2] * weights[2] + points[3] * weights[3]
+}
+
+/// At 0 all weight is the second point's and at 1 the third's, exactly: neighbouring cells meet.
+fn weights<S: Scalar>(u: S) -> [S; 4] {
+    let square = u * u;
+    let cube = square * u;
+    let first = square - (u + cube).halve(1);
+    let third = u.halve(1) + square.double(1) - (cube.times(3)).halve(1);
+    let fourth = (cube - square).halve(1);
+    [first, S::ONE - first - third - fourth, third, fourth]
+}
+
+fn beyond_rows<S: Scalar, const W: usize, const H: usize>(
+    position: &Grid<Vec3<S>, W, H>,
+    column: i32,
+    row: i32,
+) -> Vec3<S> {
+    let last = H as i32 - 1;
+    if row < 0 {
+        beyond_columns(position, column, 0).double(1) - beyond_columns(position, column, 1)
+    } else if row > last {
+        beyond_columns(position, column, last).double(1) - beyond_columns(position, column, last - 1)
+    } else {
+        beyond_columns(position, column, row)
+    }
+}
+
+fn beyond_columns<S: Scalar, const W: usize, const H: usize>(
+    position: &Grid<Vec3<S>, W, H>,
+    column: i32,
+    row: i32,
+) -> Vec3<S> {
+    let at = |column: i32| position[Node::new(column as usize, row as usize)];
+    let last = W as i32 - 1;
+    if column < 0 {
+        at(0).double(1) - at(1)
+    } else if column > last {
+        at(last).double(1) - at(last - 1)
+    } else {
+        at(column)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Q24;
+
+    /// A sheet on x² − y, in quarters so that all types hold it exactly.
+    fn sheet<S: Scalar>() -> Grid<Vec3<S>, 5, 4> {
+        let mut grid = Grid::filled(Vec3::ZERO);
+        for node in Grid::<S, 5, 4>::nodes() {
+            let (x, y) = (node.column as f64 / 2.0, node.row as f64 / 2.0);
+            grid[node] = Vec3::from_f64([x, y, x * x - y]);
+        }
+        grid
+    }
+
+    #[test]
+    fn a_parabola_is_met_between_its_points() {
+        fn check<S: Scalar>(bound: f64) {
+            let [x, y, z] = point(&sheet::<S>(), Node::new(1, 1), S::from_f64(0.3), S::from_f64(0.7)).to_f64();
+            assert!((x - 0.65).abs() < bound && (y - 0.85).abs() < bound, "{x} {y}");
+            assert!((z - (x * x - y)).abs() < bound, "{z}");
+        }
+        check::<f64>(1e-14);
+        check::<f32>(1e-6);
+        check::<Q24>(1e-6);
+    }
+
+    #[test]
+    fn cells_meet_in_the_same_bits() {
+        fn check<S: Scalar>() {
+            let grid = sheet::<S>();
+            for k in 0..=8 {
+                let u = S::from_int(k).divide(S::from_int(8));
+                assert_eq!(point(&grid, Node::new(0, 1), S::ONE, u), point(&grid, Node::new(1, 1), S::ZERO, u));
+                assert_eq!(point(&grid, Node::new(2, 0), u, S::ONE), point(&grid, Node::new(2, 1), u, S::ZERO));
+            }
+            assert_eq!(point(&grid, Node::new(3, 2), S::ONE, S::ONE), grid[Node::new(4, 3)]);
+        }
+        check::<f64>();
+        check::<f32>();
+        check::<Q24>();
+    }
+}
