@@ -45,7 +45,7 @@ fn compile(program: &Path, library: &Path, directory: &Path) -> Output {
 fn impossible_scenes_do_not_compile() {
     let (library, directory) = (library(), tempfile::tempdir().expect("a directory for object files"));
     let programs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compile_fail");
-    let mut failures = String::new();
+    let mut failures = Vec::new();
     for entry in programs.read_dir().expect("the programs are there") {
         let program = entry.expect("a file").path();
         let source = std::fs::read_to_string(&program).expect("a program");
@@ -58,8 +58,8 @@ fn impossible_scenes_do_not_compile() {
             Some(reason) => !output.status.success() && message.contains(reason),
         };
         if !expected {
-            failures += &format!("{}: {}\n{message}\n", program.display(), reason.unwrap_or("compiles"));
+            failures.push(format!("{}: {}\n{message}", program.display(), reason.unwrap_or("compiles")));
         }
     }
-    assert!(failures.is_empty(), "unexpected from the compiler:\n{failures}");
+    assert!(failures.is_empty(), "unexpected from the compiler:\n{}", failures.join("\n"));
 }

@@ -69,7 +69,7 @@ pub(crate) fn play<S: Scalar>(case: Case, method: Method) -> Outcome {
         Method::Verlet => play_with::<S, _>(case, Verlet { sweeps: 4 }, 3),
         Method::Leapfrog => play_with::<S, _>(case, Leapfrog, 8),
         Method::Xpbd => play_with::<S, _>(case, Xpbd, 5),
-        Method::Lines => play_with::<S, _>(case, Lines::<6>::default(), 2),
+        Method::Lines => play_with::<S, _>(case, Lines::new(), 2),
     }
 }
 
