@@ -120,7 +120,9 @@ fn gravity<S: Scalar, V: Solver<S>>(solver: V, substeps: u32) -> Outcome {
 fn facet_wind<S: Scalar, V: Solver<S>>(solver: V, substeps: u32) -> Outcome {
     let units = oblong(substeps);
     let mut cloth = Cloth::<S, 16, 16>::hang(&units, units.point([0.0; 3]));
-    (0..16).for_each(|row| cloth.pin(Node::new(0, row)));
+    for row in 0..16 {
+        cloth.pin(Node::new(0, row));
+    }
     let forces = (weight(&units), FacetWind::new(units.facet_wind([3.0, 2.0, 0.5])));
     finish(&Scene::new(&units, forces, springs(&units), (), solver), cloth)
 }
@@ -168,7 +170,9 @@ fn tether<S: Scalar, V: Solver<S>>(solver: V, substeps: u32) -> Outcome {
     let units = square(substeps);
     let mut cloth = Cloth::<S, 8, 8>::lay(&units, units.point([0.0; 3]));
     let corners = [Node::new(0, 0), Node::new(7, 0)];
-    corners.into_iter().for_each(|corner| cloth.pin(corner));
+    for corner in corners {
+        cloth.pin(corner);
+    }
     let Ok(tethers) = Tether::<S, 2>::new(&units, &corners, S::from_f64(0.02)) else {
         unreachable!("two corners fit");
     };
