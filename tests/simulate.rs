@@ -195,7 +195,7 @@ fn positions_are_those_of_the_recorded_frames() {
         if frame % 3 != 0 && frame != 10 {
             continue;
         }
-        for (index, position) in simulation.positions().into_iter().enumerate() {
+        for (index, position) in simulation.still().positions.into_iter().enumerate() {
             let line = lines.next().unwrap();
             let fields: Vec<_> = line.split(',').collect();
             let place = [frame, index % 4, index / 4].map(|number| number.to_string());
@@ -297,10 +297,10 @@ fn every_number_type_grid_and_solver_runs() {
             scene.solver.kind = kind;
             let lowest = ScalarKind::ALL.map(|scalar| {
                 let mut simulation = scene.simulation(scalar).unwrap();
-                let start = simulation.positions();
+                let start = simulation.still().positions;
                 (0..5).for_each(|_| simulation.frame());
                 assert!(simulation.is_finite());
-                let end = simulation.positions();
+                let end = simulation.still().positions;
                 assert_eq!(start[..columns], end[..columns], "pins hold");
                 end.iter().fold(f64::MAX, |lowest, [_, _, z]| lowest.min(*z))
             });
@@ -326,7 +326,7 @@ fn a_state_moves_from_one_solver_and_number_type_to_another() {
     let difference = |a: &[[f64; 3]], b: &[[f64; 3]]| {
         a.iter().flatten().zip(b.iter().flatten()).fold(0.0_f64, |largest, (a, b)| largest.max((a - b).abs()))
     };
-    assert!(difference(&before.positions, &after.positions) < 1e-14);
+    assert!(difference(&before.still.positions, &after.still.positions) < 1e-14);
     assert!(difference(&before.velocities, &after.velocities) < 1e-13);
     assert_eq!(before.pinned, after.pinned);
     assert!(before.pinned[0] && !before.pinned[3]);

@@ -2,6 +2,7 @@
 
 mod animation;
 mod args;
+mod pictures;
 mod report;
 mod staging;
 
@@ -12,9 +13,10 @@ use std::time::Instant;
 use std::{fs, io};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use kerchief::host::{BUILT_IN, Description, Simulation, built_in};
+use kerchief::host::{BUILT_IN, Description, Still, built_in};
 
 use args::Args;
+use pictures::Album;
 use report::Watch;
 use staging::Staged;
 
@@ -37,27 +39,45 @@ fn run(args: &Args) -> Result<(), String> {
     }
     let mut simulation = scene.simulation(args.scalar).map_err(|error| format!("{}: {error}", args.scene))?;
     staging::prepare(&args.out)?;
+    let mut album = (args.animation() || args.png).then(|| Album::new(&scene));
     let mut positions = args.csv.then(|| Positions::create(&args.out)).transpose()?;
+    let mut record = |frame, still: Still| {
+        if let Some(positions) = &mut positions {
+            positions.record(frame, &still, scene.sheet.columns)?;
+        }
+        if let Some(album) = &mut album {
+            album.add(frame, still);
+        }
+        Ok::<_, String>(())
+    };
 
     let mut watch = Watch::start(&*simulation);
+    record(0, simulation.still())?;
     let bar = progress("frames", u64::from(scene.frames));
-    if let Some(positions) = &mut positions {
-        positions.record(0, &*simulation, scene.sheet.columns)?;
-    }
     for frame in 1..=scene.frames {
         let start = Instant::now();
         simulation.frame();
         watch.frame(&*simulation, start.elapsed());
         if frame % args.every == 0 || frame == scene.frames {
-            if let Some(positions) = &mut positions {
-                positions.record(frame, &*simulation, scene.sheet.columns)?;
-            }
+            record(frame, simulation.still())?;
         }
         bar.inc(1);
     }
     bar.finish_and_clear();
-
     let report = watch.report(&*simulation, &scene, args.scalar);
+
+    if let Some(album) = album {
+        if args.animation() {
+            let bar = progress("pictures", 0);
+            album.write_animation(&args.out, &bar)?;
+            bar.finish_and_clear();
+        }
+        if args.png {
+            let bar = progress("pictures", 0);
+            album.write_pictures(&args.out, &bar)?;
+            bar.finish_and_clear();
+        }
+    }
     if let Some(positions) = positions {
         positions.finish()?;
     }
@@ -66,7 +86,7 @@ fn run(args: &Args) -> Result<(), String> {
     let written = writeln!(file, "{json}");
     file.named(written)?;
     file.finish()?;
-    let _ = writeln!(io::stdout(), "{report}");
+    let _ = writeln!(io::stdout(), "{report}\nwritten to        {}", args.out.display());
     Ok(())
 }
 
@@ -106,10 +126,9 @@ impl Positions {
         Ok(table)
     }
 
-    fn record(&mut self, frame: u32, simulation: &dyn Simulation, columns: usize) -> Result<(), String> {
-        let mut write =
-            |(index, [x, y, z]): (usize, [f64; 3])| self.write((frame, index % columns, index / columns, x, y, z));
-        simulation.positions().into_iter().enumerate().try_for_each(&mut write)
+    fn record(&mut self, frame: u32, still: &Still, columns: usize) -> Result<(), String> {
+        let mut particles = still.positions.iter().enumerate();
+        particles.try_for_each(|(index, [x, y, z])| self.write((frame, index % columns, index / columns, x, y, z)))
     }
 
     fn write(&mut self, row: impl serde::Serialize) -> Result<(), String> {

@@ -39,6 +39,8 @@ pub struct Description {
     pub solver: Solver,
     /// Number of frames of [`Solver::step`] each.
     pub frames: u32,
+    /// How pictures show it.
+    pub picture: Picture,
 }
 
 impl Description {
@@ -201,6 +203,40 @@ pub struct Surface {
     pub friction: f64,
 }
 
+/// How pictures show a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Picture {
+    /// From where it is looked at, degrees: 0 looks along y, 90 stands on the side of positive x.
+    pub azimuth: f64,
+    /// The same, upwards, degrees.
+    pub elevation: f64,
+    /// The box that fills the picture, m; where there is none, the box around all that is seen.
+    pub frame: Option<[[f64; 3]; 2]>,
+    /// What is woven into the sheet.
+    pub pattern: Weave,
+    /// Bands of the pattern along the longer side of the sheet.
+    pub bands: u32,
+    /// Colours of the pattern: red, green, blue.
+    pub colours: [[u8; 3]; 2],
+}
+
+/// What is woven into a sheet.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Weave {
+    /// The second colour alone.
+    #[default]
+    Plain,
+    /// Bands from the first row to the last.
+    Stripes,
+    /// A chessboard.
+    Checks,
+    /// Bands both ways: where they cross the colour is full, elsewhere half.
+    Gingham,
+    /// Gingham with a border of the second colour.
+    Kerchief,
+}
+
 /// How the sheet is moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solver {
@@ -210,7 +246,7 @@ pub struct Solver {
     pub step: f64,
     /// Solver steps per frame.
     pub substeps: u32,
-    /// Relaxation sweeps of position Verlet and Newton steps of backward Euler per substep; the others have none.
+    /// Per substep, relaxation sweeps of position Verlet and lines and Newton steps of backward Euler; the others have none.
     pub iterations: u32,
     /// No link longer than `1 + strain_limit` times its rest length after a step.
     pub strain_limit: Option<f64>,

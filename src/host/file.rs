@@ -9,9 +9,9 @@ use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
-use super::description::{Pose, SolverKind};
+use super::description::{Pose, SolverKind, Weave};
 use super::error::SceneError;
-use super::quantity::{Count, Fraction, NonNegative, Positive, Vector};
+use super::quantity::{Colour, Count, Fraction, NonNegative, Number, Positive, Vector};
 
 /// A whole file.
 #[derive(Debug, Deserialize)]
@@ -36,6 +36,8 @@ pub(super) struct File {
     pub(super) solver: Table<Solver>,
     #[serde(default)]
     pub(super) run: Table<Run>,
+    #[serde(default)]
+    pub(super) picture: Table<Picture>,
 }
 
 impl File {
@@ -210,4 +212,17 @@ pub(super) struct Solver {
 #[serde(deny_unknown_fields)]
 pub(super) struct Run {
     pub(super) frames: Option<Count>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Picture {
+    pub(super) azimuth: Option<Number>,
+    pub(super) elevation: Option<Number>,
+    pub(super) low: Option<Vector>,
+    pub(super) high: Option<Vector>,
+    #[serde(default)]
+    pub(super) pattern: Weave,
+    pub(super) bands: Option<Count>,
+    pub(super) colours: Option<[Colour; 2]>,
 }

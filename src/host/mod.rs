@@ -9,6 +9,8 @@ mod description;
 mod error;
 mod file;
 mod fit;
+#[cfg(feature = "graphics")]
+mod painter;
 mod quantity;
 mod resolve;
 mod run;
@@ -17,9 +19,12 @@ mod solver;
 
 pub use builtin::{BUILT_IN, BuiltIn, DEFAULT_SCENE, built_in};
 pub use description::{
-    Capsule, Description, Drag, Plane, Pose, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Wind, WindModel,
+    Capsule, Description, Drag, Picture, Plane, Pose, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Weave, Wind,
+    WindModel,
 };
 pub use error::SceneError;
+#[cfg(feature = "graphics")]
+pub use painter::Painter;
 pub use quantity::MOST;
-pub use run::{ScalarKind, Simulation, State, Strain, Strains};
+pub use run::{ScalarKind, Simulation, State, Still, Strain, Strains};
 pub use shape::SHAPES;

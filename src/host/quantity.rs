@@ -148,3 +148,28 @@ impl<'de> Deserialize<'de> for Count {
         deserializer.deserialize_any(Whole)
     }
 }
+
+/// A colour `"#rrggbb"`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Colour(pub(super) [u8; 3]);
+
+impl<'de> Deserialize<'de> for Colour {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Hexadecimal;
+        impl Visitor<'_> for Hexadecimal {
+            type Value = Colour;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a colour \"#rrggbb\"")
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<Colour, E> {
+                let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6);
+                let digits = digits.filter(|digits| digits.bytes().all(|digit| digit.is_ascii_hexdigit()));
+                let number = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok());
+                let [_, red, green, blue] =
+                    number.ok_or_else(|| E::invalid_value(serde::de::Unexpected::Str(text), &self))?.to_be_bytes();
+                Ok(Colour([red, green, blue]))
+            }
+        }
+        deserializer.deserialize_any(Hexadecimal)
+    }
+}

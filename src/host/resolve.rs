@@ -4,11 +4,11 @@ use std::format;
 use std::vec::Vec;
 
 use super::description::{
-    Capsule, Description, Drag, Plane, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Wind, WindModel,
+    Capsule, Description, Drag, Picture, Plane, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Wind, WindModel,
 };
 use super::error::SceneError;
 use super::file::{self, File, Pins, Table};
-use super::quantity::{Count, NonNegative, Positive};
+use super::quantity::{Count, NonNegative, Number, Positive};
 use super::shape::SHAPES;
 
 /// Frames of a file that does not say.
@@ -17,6 +17,12 @@ const FRAMES: u32 = 100;
 const STEP: f64 = 1.0 / 60.0;
 /// Solver steps per frame of a file that does not say.
 const SUBSTEPS: u32 = 8;
+/// From where pictures look at a scene that does not say, degrees.
+const DIRECTION: (f64, f64) = (30.0, 20.0);
+/// Bands of a pattern that does not say.
+const BANDS: u32 = 15;
+/// Colours of a sheet that does not say: linen and madder.
+const COLOURS: [[u8; 3]; 2] = [[0xf3, 0xea, 0xdc], [0xb8, 0x2e, 0x34]];
 /// Density of air at 20 °C and 1013 hPa, kg/m³ (ISO 2533).
 const AIR_DENSITY: f64 = 1.2;
 /// Normal-force coefficient of a flat plate across the flow (Hoerner, Fluid-Dynamic Drag, 1965, ch. 3: 1.1 to 1.2 for a square).
@@ -46,6 +52,7 @@ impl File {
                 strain_limit: solver.strain_limit.map(Positive::get),
             },
             frames: self.run.0.frames.map_or(FRAMES, Count::get),
+            picture: picture(&self.picture.0)?,
             name: self.name,
         })
     }
@@ -227,5 +234,34 @@ fn capsule((index, Table(capsule)): (usize, &Table<file::Capsule>)) -> Result<Ca
         b: capsule.b.0,
         radius: capsule.radius.get(),
         surface: surface(capsule.margin, capsule.friction),
+    })
+}
+
+fn picture(picture: &file::Picture) -> Result<Picture, SceneError> {
+    let frame = match (picture.low, picture.high) {
+        (Some(low), Some(high)) => {
+            if (0..3).any(|axis| low.0[axis] > high.0[axis]) {
+                return Err(SceneError::new("picture.high", "must not be below low"));
+            }
+            if low.0 == high.0 {
+                return Err(SceneError::new("picture.high", "must differ from low"));
+            }
+            Some([low.0, high.0])
+        }
+        (None, None) => None,
+        (Some(_), None) => return Err(SceneError::new("picture.high", "missing; low is given")),
+        (None, Some(_)) => return Err(SceneError::new("picture.low", "missing; high is given")),
+    };
+    let elevation = picture.elevation.map_or(DIRECTION.1, Number::get);
+    if elevation.abs() > 90.0 {
+        return Err(SceneError::new("picture.elevation", format!("must be from -90 to 90, is {elevation}")));
+    }
+    Ok(Picture {
+        azimuth: picture.azimuth.map_or(DIRECTION.0, Number::get) % 360.0,
+        elevation,
+        frame,
+        pattern: picture.pattern,
+        bands: picture.bands.map_or(BANDS, Count::get),
+        colours: picture.colours.map_or(COLOURS, |colours| colours.map(|colour| colour.0)),
     })
 }

@@ -69,27 +69,32 @@ pub struct Strains {
     pub all: Strain,
 }
 
-/// What a sheet carries from one [`Simulation`] to another, in SI units, row by row.
+/// What can be seen of a moment.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Still {
+    /// Position of every particle, m, row by row.
+    pub positions: Vec<[f64; 3]>,
+    /// Centres of the balls, m.
+    pub spheres: Vec<[f64; 3]>,
+}
+
+/// What a sheet carries from one [`Simulation`] to another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
-    /// m
-    pub positions: Vec<[f64; 3]>,
-    /// m/s
+    /// Where everything is.
+    pub still: Still,
+    /// Velocity of every particle, m/s, row by row.
     pub velocities: Vec<[f64; 3]>,
     /// Whether a particle is held.
     pub pinned: Vec<bool>,
-    /// Centres of the balls, m.
-    pub spheres: Vec<[f64; 3]>,
 }
 
 /// A sheet in motion, whatever its number type, grid and solver.
 pub trait Simulation: Send {
     /// Moves on by one frame.
     fn frame(&mut self);
-    /// Position of every particle, m, row by row.
-    fn positions(&self) -> Vec<[f64; 3]>;
-    /// Centres of the balls, m.
-    fn spheres(&self) -> Vec<[f64; 3]>;
+    /// Where everything is.
+    fn still(&self) -> Still;
     /// How far links are from their rest length.
     fn strains(&self) -> Strains;
     /// Kinetic, gravitational and elastic energy together, J.
@@ -135,7 +140,7 @@ impl Description {
 
 fn shaped<S: Scalar + Send>(description: &Description) -> Result<Box<dyn Simulation>, SceneError> {
     macro_rules! choose {
-        ($(($columns:literal, $rows:literal))*) => {
+        ($(($columns:literal, $rows:literal, $faces:literal))*) => {
             match (description.sheet.columns, description.sheet.rows) {
                 $(($columns, $rows) => Running::<S, $columns, $rows>::boxed(description),)*
                 _ => Err(SceneError::new("cloth.columns", "unsupported grid")),
@@ -177,12 +182,11 @@ impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S,
         self.scene.advance::<S>();
     }
 
-    fn positions(&self) -> Vec<[f64; 3]> {
-        scaled(self.cloth.position.0.as_flattened(), self.units.cell)
-    }
-
-    fn spheres(&self) -> Vec<[f64; 3]> {
-        self.scene.colliders.centres(&self.units)
+    fn still(&self) -> Still {
+        Still {
+            positions: scaled(self.cloth.position.0.as_flattened(), self.units.cell),
+            spheres: self.scene.colliders.centres(&self.units),
+        }
     }
 
     fn strains(&self) -> Strains {
@@ -212,10 +216,9 @@ impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S,
     fn state(&self) -> State {
         let speed = self.units.cell / self.units.tick();
         State {
-            positions: self.positions(),
+            still: self.still(),
             velocities: scaled(self.cloth.velocity.0.as_flattened(), speed),
             pinned: self.cloth.inverse_mass.0.as_flattened().iter().map(|inverse| *inverse == S::ZERO).collect(),
-            spheres: self.spheres(),
         }
     }
 
@@ -225,9 +228,9 @@ impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S,
         for (index, inverse_mass) in inverse_mass.0.as_flattened_mut().iter_mut().enumerate() {
             *inverse_mass = if state.pinned[index] { S::ZERO } else { unpinned[index] };
         }
-        read(position.0.as_flattened_mut(), &state.positions, |x| self.units.point(x).0);
+        read(position.0.as_flattened_mut(), &state.still.positions, |x| self.units.point(x).0);
         read(velocity.0.as_flattened_mut(), &state.velocities, |v| self.units.velocity(v).0);
-        self.scene.colliders.set_centres(&self.units, &state.spheres);
+        self.scene.colliders.set_centres(&self.units, &state.still.spheres);
         self.memory = self.scene.memory();
     }
 
