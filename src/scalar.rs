@@ -44,6 +44,9 @@ pub trait Scalar:
     /// The spacing of numbers just above one.
     const RESOLUTION: f64;
 
+    /// Whether small numbers keep as many digits as large ones: then the scale of a number is free to choose.
+    const FLOATS: bool = false;
+
     /// A product of two numbers, wide enough for three of them to be added without overflow; exact in fixed point.
     type Product: Copy + Debug + PartialOrd + Add<Output = Self::Product>;
     /// A sum of many products, as the dot product of two whole sheets.

@@ -12,21 +12,34 @@ pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usi
     const { assert!(ACROSS + DOWN > 0, "a link needs two particles") };
     for row_colour in 0..colours(DOWN) {
         for column_colour in 0..colours(ACROSS) {
-            for row in 0..H.saturating_sub(DOWN) {
-                if DOWN > 0 && row / DOWN % 2 != row_colour {
-                    continue;
-                }
-                for column in 0..W.saturating_sub(ACROSS) {
-                    if ACROSS > 0 && column / ACROSS % 2 != column_colour {
-                        continue;
-                    }
+            coloured::<DOWN>(row_colour, H, |row| {
+                coloured::<ACROSS>(column_colour, W, |column| {
                     visit(Node { column, row }, Node { column: column + ACROSS, row: row + DOWN });
                     if ACROSS > 0 && DOWN > 0 {
                         visit(Node { column: column + ACROSS, row }, Node { column, row: row + DOWN });
                     }
-                }
+                });
+            });
+        }
+    }
+}
+
+/// Calls `visit` with the first ends of the links of one colour and extent in a line of `count` particles: `EXTENT` at a time, every other time.
+#[inline(always)]
+fn coloured<const EXTENT: usize>(colour: usize, count: usize, mut visit: impl FnMut(usize)) {
+    if EXTENT == 0 {
+        (0..count).for_each(visit);
+        return;
+    }
+    let end = count.saturating_sub(EXTENT);
+    let mut start = colour * EXTENT;
+    while start < end {
+        for k in 0..EXTENT {
+            if start + k < end {
+                visit(start + k);
             }
         }
+        start += 2 * EXTENT;
     }
 }
 

@@ -12,6 +12,7 @@ macro_rules! float {
             const LARGEST: f64 = <$float>::MAX as f64;
             const RESOLUTION: f64 = <$float>::EPSILON as f64;
             const EMPTY: Self = 0.0;
+            const FLOATS: bool = true;
 
             type Product = Self;
             type Sum = Self;
@@ -106,5 +107,23 @@ macro_rules! float {
     };
 }
 
-float!(f32, "f32", libm::sqrtf, libm::floorf, 1e-20);
-float!(f64, "f64", libm::sqrt, libm::floor, 1e-60);
+// Both square roots are correctly rounded: the same bits, but the standard library's is one instruction on a host.
+#[cfg(not(feature = "std"))]
+mod root {
+    pub(super) use libm::{sqrt as f64, sqrtf as f32};
+}
+#[cfg(feature = "std")]
+mod root {
+    extern crate std;
+    #[inline]
+    pub(super) fn f32(squares: f32) -> f32 {
+        squares.sqrt()
+    }
+    #[inline]
+    pub(super) fn f64(squares: f64) -> f64 {
+        squares.sqrt()
+    }
+}
+
+float!(f32, "f32", root::f32, libm::floorf, 1e-20);
+float!(f64, "f64", root::f64, libm::floor, 1e-60);

@@ -17,7 +17,7 @@ mod relax;
 use crate::cloth::Cloth;
 use crate::collider::Collider;
 use crate::force::Force;
-use crate::grid::Grid;
+use crate::grid::{Grid, Node};
 use crate::link::Links;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -31,20 +31,30 @@ use relax::Relax;
 /// `N` is the number of grids of multipliers that it remembers: one for each direction of links in the scene, in the order in which the scene names
 /// them, two for stretch, shear and bend each. Families beyond that start every substep from nothing, which costs accuracy only. At least two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Lines<const N: usize = 6> {
+pub struct Lines<const N: usize = 4> {
     /// Sweeps in a substep, at least one.
     pub sweeps: u32,
 }
 
-impl<const N: usize> Default for Lines<N> {
-    fn default() -> Self {
-        Self { sweeps: 1 }
+impl Lines {
+    /// Two sweeps, multipliers for stretch and shear: what most scenes want.
+    pub const fn new() -> Self {
+        Self { sweeps: 2 }
     }
 }
 
-/// The part of the last multipliers from which a substep starts. Larger parts are more accurate and less stable: 0.7 shakes a nearly rigid sheet,
-/// and 0.9 tears it.
-const WARM: f64 = 0.5;
+impl<const N: usize> Default for Lines<N> {
+    fn default() -> Self {
+        Self { sweeps: 2 }
+    }
+}
+
+/// The part of a row's or column's last multipliers from which a substep starts. A larger part is more accurate and less stable: 0.7 shakes a nearly
+/// rigid sheet, and 0.9 tears it.
+const WARM_LINES: f64 = 0.5;
+
+/// The same for the other families, which are softer. With one sweep, 1.0 shakes.
+const WARM_OTHERS: f64 = 0.8;
 
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
@@ -89,7 +99,6 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
     ) {
         damp(physics.links, cloth);
         let first_order = memory.history == History::Rough;
-        let warm = if memory.history == History::Full { S::from_f64(WARM) } else { S::ZERO };
         let drag = physics.forces.drag().rate;
         let two_thirds = S::from_int(2).divide(S::from_int(3));
         // what κ = k·h²/m becomes: x' depends on a' by (4/9)·h²/(1 + (2/3)·γ·h), with backward Euler by h²/(1 + γ·h)
@@ -100,17 +109,64 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             predict::second_order(physics.forces, cloth, memory, moment);
             (Moment { halves: 3, ..moment }, (two_thirds * two_thirds).divide(S::ONE + two_thirds * drag))
         };
+        let unit = S::ONE.rate(moment.halves, moment.shift);
+        if S::FLOATS {
+            scale(&mut cloth.velocity, unit.recip());
+        }
         let mut relax = Relax::new(cloth, &mut memory.tension, moment, softness);
-        relax.start(physics.links, warm);
+        if memory.history == History::Full {
+            relax.start(physics.links);
+        } else {
+            relax.forget();
+        }
         for sweep in 0..self.sweeps {
             relax.sweep(physics.links, sweep);
         }
         let rough = relax.is_rough();
+        if S::FLOATS {
+            scale(&mut cloth.velocity, unit);
+        }
         confine(physics, cloth, moment);
         memory.history = match (rough, first_order) {
             (true, _) => History::Rough,
             (false, true) => History::Velocity,
             (false, false) => History::Full,
         };
+    }
+}
+
+/// Moves a particle by a link. Floats, whose scale is free, keep displacements in the place of velocities meanwhile: that saves a product for every
+/// number that a link changes.
+#[inline(always)]
+fn displace<S: Scalar, const W: usize, const H: usize>(
+    cloth: &mut Cloth<S, W, H>,
+    node: Node,
+    by: Vec3<S>,
+    moment: Moment,
+) {
+    if S::FLOATS {
+        cloth.position[node] += by;
+        cloth.velocity[node] += by;
+    } else {
+        cloth.displace(node, by, moment);
+    }
+}
+
+/// Moves both ends of a link.
+#[inline(always)]
+fn pull<S: Scalar, const W: usize, const H: usize>(
+    cloth: &mut Cloth<S, W, H>,
+    [a, b]: [Node; 2],
+    by: Vec3<S>,
+    moment: Moment,
+) {
+    let (wa, wb) = (cloth.inverse_mass[a], cloth.inverse_mass[b]);
+    displace(cloth, a, by * wa, moment);
+    displace(cloth, b, -by * wb, moment);
+}
+
+fn scale<S: Scalar, const W: usize, const H: usize>(vectors: &mut Grid<Vec3<S>, W, H>, factor: S) {
+    for v in vectors.values_mut() {
+        *v = *v * factor;
     }
 }

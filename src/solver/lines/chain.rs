@@ -15,6 +15,8 @@ use crate::moment::Moment;
 use crate::scalar::{Rest, Scalar};
 use crate::vec3::Vec3;
 
+use super::displace;
+
 /// Links of one kind.
 pub(super) struct Chain<'a, S> {
     pub(super) rest: &'a Rest<S>,
@@ -23,6 +25,33 @@ pub(super) struct Chain<'a, S> {
 }
 
 impl<S: Scalar> Chain<'_, S> {
+    /// Lets a chain act with the part `warm` of its last multipliers.
+    #[inline]
+    pub(super) fn pull<const N: usize, const W: usize, const H: usize>(
+        &self,
+        cloth: &mut Cloth<S, W, H>,
+        node: impl Fn(usize) -> Node,
+        tension: &mut [S; N],
+        warm: S,
+    ) {
+        let mut pull_before = Vec3::ZERO;
+        let mut x = cloth.position[node(0)];
+        for k in 0..N {
+            let mut pull = Vec3::ZERO;
+            if k + 1 < N {
+                let next = cloth.position[node(k + 1)];
+                let d = next - x;
+                tension[k] = tension[k] * warm;
+                let (_, inverse) = S::gauge(d.squared(), self.rest);
+                pull = d * (inverse * tension[k] * self.strength.dividend);
+                x = next;
+            }
+            let w = cloth.inverse_mass[node(k)];
+            displace(cloth, node(k), (pull - pull_before) * w, self.moment);
+            pull_before = pull;
+        }
+    }
+
     /// Solves a chain of `N` particles and moves them. `tension` holds the multipliers, at the first particle of each link. Returns the largest
     /// difference between a link's length and rest length that it met.
     #[inline]
@@ -67,12 +96,12 @@ impl<S: Scalar> Chain<'_, S> {
             let pull = normals[k] * (change * dividend);
             let b = node(k + 1);
             let w = cloth.inverse_mass[b];
-            cloth.displace(b, (pull_after - pull) * w, self.moment);
+            displace(cloth, b, (pull_after - pull) * w, self.moment);
             pull_after = pull;
         }
         let a = node(0);
         let w = cloth.inverse_mass[a];
-        cloth.displace(a, pull_after * w, self.moment);
+        displace(cloth, a, pull_after * w, self.moment);
         worst
     }
 }

@@ -6,8 +6,8 @@ use crate::link::{Family, Links, Quotient, Visitor, each};
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 
-use super::ROUGH;
 use super::chain::Chain;
+use super::{ROUGH, WARM_LINES, WARM_OTHERS, pull};
 
 /// Which families a visit is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -29,7 +29,6 @@ pub(super) struct Relax<'a, S, const W: usize, const H: usize, const N: usize> {
     softness: S,
     pass: Pass,
     sweep: u32,
-    warm: S,
     /// The grid of multipliers of the family at hand.
     slot: usize,
     rough: bool,
@@ -42,17 +41,18 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         moment: Moment,
         softness: S,
     ) -> Self {
-        Self { cloth, tension, moment, softness, pass: Pass::Others, sweep: 0, warm: S::ZERO, slot: 0, rough: false }
+        Self { cloth, tension, moment, softness, pass: Pass::Others, sweep: 0, slot: 0, rough: false }
     }
 
-    /// Lets every link act with the part `warm` of its last multiplier.
-    pub(super) fn start<L: Links<S>>(&mut self, links: &L, warm: S) {
-        if warm == S::ZERO {
-            *self.tension = [Grid::filled(S::ZERO); N];
-        } else {
-            (self.pass, self.warm, self.slot) = (Pass::Start, warm, 0);
-            links.springs(self);
-        }
+    /// Lets every link act with a part of its last multiplier.
+    pub(super) fn start<L: Links<S>>(&mut self, links: &L) {
+        (self.pass, self.slot) = (Pass::Start, 0);
+        links.springs(self);
+    }
+
+    /// Starts every link from nothing.
+    pub(super) fn forget(&mut self) {
+        *self.tension = [Grid::filled(S::ZERO); N];
     }
 
     /// Relaxes every link once.
@@ -70,36 +70,54 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
     }
 
     fn pull<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
-        let diagonal = ACROSS > 0 && DOWN > 0;
-        if slot + usize::from(diagonal) >= N {
-            return;
-        }
+        let cloth = &mut *self.cloth;
+        let moment = self.moment;
+        let warm = S::from_f64(WARM_OTHERS);
         let dividend = family.strength.scaled(self.softness).dividend;
-        each::<ACROSS, DOWN, W, H>(|a, b| {
-            let Some(tension) = self.tension.get_mut(slot + usize::from(diagonal && a.column > b.column)) else {
-                return;
-            };
-            tension[a] = tension[a] * self.warm;
-            let d = self.cloth.position[b] - self.cloth.position[a];
+        let mut act = |a: Node, b: Node, multiplier: &mut S| {
+            *multiplier = *multiplier * warm;
+            let d = cloth.position[b] - cloth.position[a];
             let (_, inverse) = S::gauge(d.squared(), &family.rest);
-            self.cloth.pull(a, b, d * (inverse * tension[a] * dividend), self.moment);
-        });
+            pull(cloth, [a, b], d * (inverse * *multiplier * dividend), moment);
+        };
+        match self.tension.get_mut(slot..) {
+            Some([rising, falling, ..]) if ACROSS > 0 && DOWN > 0 => each::<ACROSS, DOWN, W, H>(|a, b| {
+                let tension = if a.column > b.column { &mut *falling } else { &mut *rising };
+                act(a, b, &mut tension[a]);
+            }),
+            Some([tension, ..]) if ACROSS == 0 || DOWN == 0 => {
+                each::<ACROSS, DOWN, W, H>(|a, b| act(a, b, &mut tension[a]));
+            }
+            _ => {}
+        }
     }
 
     fn line<const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
         let Some(tension) = self.tension.get_mut(slot) else { return };
         let strength = family.strength.scaled(self.softness);
         let chain = Chain { rest: &family.rest, strength, moment: self.moment };
+        let start = self.pass == Pass::Start;
+        let warm = S::from_f64(WARM_LINES);
         if DOWN == 0 {
             let mut worst = S::ZERO;
             for row in 0..H {
-                worst = worst.max(chain.solve(self.cloth, |column| Node { column, row }, &mut tension.0[row]));
+                let node = |column| Node { column, row };
+                if start {
+                    chain.pull(self.cloth, node, &mut tension.0[row], warm);
+                } else {
+                    worst = worst.max(chain.solve(self.cloth, node, &mut tension.0[row]));
+                }
             }
             self.rough |= worst > family.rest.length * S::from_f64(ROUGH);
         } else {
             for column in 0..W {
+                let node = |row| Node { column, row };
                 let mut multipliers: [S; H] = core::array::from_fn(|row| tension.0[row][column]);
-                chain.solve(self.cloth, |row| Node { column, row }, &mut multipliers);
+                if start {
+                    chain.pull(self.cloth, node, &mut multipliers, warm);
+                } else {
+                    chain.solve(self.cloth, node, &mut multipliers);
+                }
                 for row in 0..H {
                     tension.0[row][column] = multipliers[row];
                 }
@@ -108,31 +126,32 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
     }
 
     fn links<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
+        let cloth = &mut *self.cloth;
+        let moment = self.moment;
         let Quotient { dividend, divisor } = family.strength.scaled(self.softness);
-        let diagonal = ACROSS > 0 && DOWN > 0;
-        let remembered = slot + usize::from(diagonal) < N;
-        if !remembered && self.sweep > 0 {
-            return;
-        }
-        each::<ACROSS, DOWN, W, H>(|a, b| {
-            let inverse_mass = self.cloth.inverse_mass[a] + self.cloth.inverse_mass[b];
+        let mut relax = |a: Node, b: Node, multiplier: &mut S| {
+            let inverse_mass = cloth.inverse_mass[a] + cloth.inverse_mass[b];
             if inverse_mass == S::ZERO {
                 return;
             }
-            let d = self.cloth.position[b] - self.cloth.position[a];
+            let d = cloth.position[b] - cloth.position[a];
             let (excess, inverse) = S::gauge(d.squared(), &family.rest);
-            let pivot = (inverse_mass * dividend + divisor).recip();
-            let falling = diagonal && a.column > b.column;
-            let change = match self.tension.get_mut(slot + usize::from(falling)) {
-                Some(tension) if remembered => {
-                    let change = (excess - divisor * tension[a]) * pivot;
-                    tension[a] += change;
-                    change
-                }
-                _ => excess * pivot,
-            };
-            self.cloth.pull(a, b, d * (inverse * change * dividend), self.moment);
-        });
+            let change = (excess - divisor * *multiplier).divide(inverse_mass * dividend + divisor);
+            *multiplier += change;
+            pull(cloth, [a, b], d * (inverse * change * dividend), moment);
+        };
+        match self.tension.get_mut(slot..) {
+            Some([rising, falling, ..]) if ACROSS > 0 && DOWN > 0 => each::<ACROSS, DOWN, W, H>(|a, b| {
+                let tension = if a.column > b.column { &mut *falling } else { &mut *rising };
+                relax(a, b, &mut tension[a]);
+            }),
+            Some([tension, ..]) if ACROSS == 0 || DOWN == 0 => {
+                each::<ACROSS, DOWN, W, H>(|a, b| relax(a, b, &mut tension[a]));
+            }
+            // without a memory a second time would count twice
+            _ if self.sweep == 0 => each::<ACROSS, DOWN, W, H>(|a, b| relax(a, b, &mut { S::ZERO })),
+            _ => {}
+        }
     }
 }
 
@@ -142,9 +161,9 @@ impl<S: Scalar, const W: usize, const H: usize, const N: usize> Visitor<S> for R
         let slot = self.slot;
         self.slot += if ACROSS > 0 && DOWN > 0 { 2 } else { 1 };
         match (ACROSS + DOWN == 1, self.pass) {
-            (true, Pass::Lines) => self.line::<DOWN>(family, slot),
+            (true, Pass::Start | Pass::Lines) => self.line::<DOWN>(family, slot),
+            (false, Pass::Start) => self.pull::<ACROSS, DOWN>(family, slot),
             (false, Pass::Others) => self.links::<ACROSS, DOWN>(family, slot),
-            (_, Pass::Start) => self.pull::<ACROSS, DOWN>(family, slot),
             _ => {}
         }
     }

@@ -1,0 +1,88 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Parser, value_parser};
+use kerchief::host::{DEFAULT_SCENE, Description, MOST, ScalarKind, SolverKind};
+
+/// Runs a scene of cloth: writes an animation and a report, or opens a window.
+#[derive(Debug, Parser)]
+#[command(name = "simulate", version)]
+pub(crate) struct Args {
+    /// A scene file, or a built-in scene: gravity, sphere, wind, no-shear, flag, curtain, drape
+    #[arg(default_value = DEFAULT_SCENE)]
+    pub(crate) scene: String,
+    /// Number type
+    #[arg(long, value_name = "TYPE", default_value = ScalarKind::F32.name(), value_parser = scalar_kind())]
+    pub(crate) scalar: ScalarKind,
+    /// Solver, instead of the scene's
+    #[arg(long, value_name = "KIND", value_parser = solver_kind())]
+    pub(crate) solver: Option<SolverKind>,
+    /// Solver steps per frame, instead of the scene's
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
+    pub(crate) substeps: Option<u32>,
+    /// Relaxation sweeps per substep, instead of the scene's
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
+    pub(crate) iterations: Option<u32>,
+    /// Number of frames, instead of the scene's
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
+    pub(crate) frames: Option<u32>,
+    /// Where pictures and data go
+    #[arg(long, value_name = "DIR", default_value = "out")]
+    pub(crate) out: PathBuf,
+    /// Write animation.gif (as a run does that is asked for nothing else)
+    #[arg(long)]
+    pub(crate) gif: bool,
+    /// Write every recorded frame as frame-NNNNN.png
+    #[arg(long)]
+    pub(crate) png: bool,
+    /// Write positions.csv
+    #[arg(long)]
+    pub(crate) csv: bool,
+    /// Record every Nth frame; the first and the last always
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
+    pub(crate) every: u32,
+    /// Open a live window instead; needs the cargo feature `window`
+    #[arg(long, conflicts_with_all = ["gif", "png", "csv"])]
+    pub(crate) window: bool,
+}
+
+fn scalar_kind() -> impl TypedValueParser<Value = ScalarKind> {
+    PossibleValuesParser::new(ScalarKind::ALL.map(ScalarKind::name))
+        .map(|name| ScalarKind::from_name(&name).expect("one of the names above"))
+}
+
+fn solver_kind() -> impl TypedValueParser<Value = SolverKind> {
+    PossibleValuesParser::new(SolverKind::ALL.map(SolverKind::name))
+        .map(|name| SolverKind::from_name(&name).expect("one of the names above"))
+}
+
+impl Args {
+    /// The command line, or the one line that says what is wrong with it. Help and version print themselves and exit.
+    pub(crate) fn read() -> Result<Self, String> {
+        Self::try_parse().map_err(|error| {
+            if !error.use_stderr() {
+                error.exit();
+            }
+            let text = error.render().to_string();
+            // The first paragraph holds the reason and the possible values; hints and the usage follow.
+            let reason: Vec<_> = text.lines().map(str::trim).take_while(|line| !line.is_empty()).collect();
+            reason.join(" ").trim_start_matches("error: ").to_string()
+        })
+    }
+
+    /// Whether an animation is to be written.
+    pub(crate) fn animation(&self) -> bool {
+        self.gif || !(self.png || self.csv)
+    }
+
+    /// Puts what the command line says over what the scene says.
+    pub(crate) fn override_scene(&self, scene: &mut Description) {
+        let solver = &mut scene.solver;
+        solver.kind = self.solver.unwrap_or(solver.kind);
+        solver.substeps = self.substeps.unwrap_or(solver.substeps);
+        solver.iterations = self.iterations.unwrap_or(solver.iterations);
+        scene.frames = self.frames.unwrap_or(scene.frames);
+    }
+}

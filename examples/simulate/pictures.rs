@@ -1,0 +1,113 @@
+//! Pictures of a run: an animation, or one file each.
+
+use std::path::Path;
+
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
+use image::{RgbImage, imageops};
+use indicatif::ProgressBar;
+use kerchief::host::{Description, Painter, Still};
+use rayon::prelude::*;
+
+use crate::animation::{Animation, Palette};
+use crate::staging::Staged;
+
+/// The side of a picture, pixels.
+const SIDE: u32 = 540;
+/// Pictures are drawn that much larger and reduced, which smooths their edges.
+const OVERSIZE: u32 = 3;
+/// The shortest time between two pictures of an animation, s: browsers slow down what is faster than 50 a second, and 30 look smooth.
+const SPACING: f64 = 1.0 / 30.0;
+/// How long an animation shows its last picture, s.
+const LAST: f64 = 1.0;
+/// Pictures that an animation's colours are taken from.
+const SAMPLES: usize = 8;
+/// Pictures drawn at once.
+const BATCH: usize = 16;
+
+/// What was recorded of a run.
+#[derive(Debug)]
+pub(crate) struct Album<'a> {
+    scene: &'a Description,
+    stills: Vec<(u32, Still)>,
+}
+
+impl<'a> Album<'a> {
+    /// An empty album.
+    pub(crate) fn new(scene: &'a Description) -> Self {
+        Self { scene, stills: Vec::new() }
+    }
+
+    /// Adds the moment at the end of a frame.
+    pub(crate) fn add(&mut self, frame: u32, still: Still) {
+        self.stills.push((frame, still));
+    }
+
+    fn studio(&self) -> Result<Studio<'a>, String> {
+        let stills = self.stills.iter().map(|(_, still)| still);
+        let painter = Painter::new(self.scene, stills, Size::new(SIDE * OVERSIZE, SIDE * OVERSIZE));
+        painter.map(Studio).map_err(|error| error.to_string())
+    }
+
+    /// Writes `animation.gif`, which runs as fast as the scene.
+    pub(crate) fn write_animation(&self, directory: &Path, bar: &ProgressBar) -> Result<(), String> {
+        let studio = self.studio()?;
+        let step = self.scene.solver.step;
+        let mut shown: Vec<&(u32, Still)> = Vec::new();
+        for moment in &self.stills {
+            let is_due = |before: &&(u32, Still)| f64::from(moment.0 - before.0) * step > 0.999 * SPACING;
+            if shown.last().is_none_or(is_due) {
+                shown.push(moment);
+            }
+        }
+        let samples: Vec<_> = shown.iter().step_by(shown.len().div_ceil(SAMPLES)).collect();
+        let samples: Vec<_> = samples.par_iter().map(|(_, still)| studio.picture(still)).collect();
+        let palette = Palette::of(&samples);
+
+        let mut file = Staged::create(directory, "animation.gif")?;
+        let result = (|| {
+            let mut animation = Animation::new(&mut file, SIDE as u16, SIDE as u16, &palette)?;
+            bar.set_length(shown.len() as u64);
+            for (batch, moments) in shown.chunks(BATCH).enumerate() {
+                let pictures: Vec<_> = moments.par_iter().map(|(_, still)| studio.picture(still)).collect();
+                for (index, picture) in pictures.iter().enumerate() {
+                    let index = batch * BATCH + index;
+                    let next = shown.get(index + 1);
+                    animation.show(picture, next.map_or(LAST, |next| f64::from(next.0 - shown[index].0) * step))?;
+                    bar.inc(1);
+                }
+            }
+            Ok::<_, gif::EncodingError>(())
+        })();
+        file.named(result)?;
+        file.finish()
+    }
+
+    /// Writes `frame-NNNNN.png` for each moment.
+    pub(crate) fn write_pictures(&self, directory: &Path, bar: &ProgressBar) -> Result<(), String> {
+        let studio = self.studio()?;
+        bar.set_length(self.stills.len() as u64);
+        self.stills.par_iter().try_for_each(|(frame, still)| {
+            let mut file = Staged::create(directory, &format!("frame-{frame:05}.png"))?;
+            let encoder = image::codecs::png::PngEncoder::new(&mut file);
+            let result = studio.picture(still).write_with_encoder(encoder);
+            file.named(result)?;
+            bar.inc(1);
+            file.finish()
+        })
+    }
+}
+
+/// Makes pictures.
+struct Studio<'a>(Painter<'a>);
+
+impl Studio<'_> {
+    fn picture(&self, still: &Still) -> RgbImage {
+        let size = Size::new(SIDE * OVERSIZE, SIDE * OVERSIZE);
+        let mut display = SimulatorDisplay::with_default_color(size, Rgb888::BLACK);
+        let Ok(()) = self.0.draw(still, &mut display);
+        let large = display.to_rgb_output_image(&OutputSettings::default());
+        imageops::thumbnail(&large.as_image_buffer(), SIDE, SIDE)
+    }
+}

@@ -1,0 +1,133 @@
+//! What a run reports: `report.json`, and the same for people.
+
+use std::fmt;
+use std::time::Duration;
+
+use kerchief::host::{Description, ScalarKind, Simulation, Strain, Strains};
+use serde::Serialize;
+
+/// A number for each link family; nothing for a family that the scene does not have.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub(crate) struct Families {
+    stretch: Option<f64>,
+    shear: Option<f64>,
+    bend: Option<f64>,
+}
+
+impl Families {
+    fn of(strains: &Strains, value: impl Fn(Strain) -> f64) -> Self {
+        let [stretch, shear, bend] = [strains.stretch, strains.shear, strains.bend].map(|strain| strain.map(&value));
+        Self { stretch, shear, bend }
+    }
+
+    fn raise(&mut self, other: &Self) {
+        let larger = |a: Option<f64>, b: Option<f64>| a.map_or(b, |a| b.map(|b| if b > a { b } else { a }));
+        self.stretch = larger(self.stretch, other.stretch);
+        self.shear = larger(self.shear, other.shear);
+        self.bend = larger(self.bend, other.bend);
+    }
+}
+
+impl fmt::Display for Families {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let percent = |name, value: Option<f64>| value.map(|value| format!("{name} {:.3} %", 100.0 * value));
+        let families = [percent("stretch", self.stretch), percent("shear", self.shear), percent("bend", self.bend)];
+        let families: Vec<_> = families.into_iter().flatten().collect();
+        f.write_str(&if families.is_empty() { "no links".to_string() } else { families.join(", ") })
+    }
+}
+
+/// The result of a run. Strains are largest at frame ends; times are those of the solver alone.
+#[derive(Debug, Serialize)]
+pub(crate) struct Report {
+    scene: String,
+    scalar: &'static str,
+    solver: &'static str,
+    columns: usize,
+    rows: usize,
+    frames: u32,
+    substeps: u32,
+    iterations: u32,
+    seconds: f64,
+    steps_per_second: f64,
+    particle_steps_per_second: f64,
+    max_strain_motion: Families,
+    max_strain_end: Families,
+    rms_strain_end: f64,
+    energy_start: f64,
+    energy_end: f64,
+    digest: u32,
+    finite: bool,
+}
+
+/// Watches a run for its report.
+#[derive(Debug)]
+pub(crate) struct Watch {
+    in_motion: Families,
+    energy_start: f64,
+    solving: Duration,
+}
+
+impl Watch {
+    /// Begins before the first frame.
+    pub(crate) fn start(simulation: &dyn Simulation) -> Self {
+        let mut watch =
+            Self { in_motion: Families::default(), energy_start: simulation.energy(), solving: Duration::ZERO };
+        watch.look(simulation);
+        watch
+    }
+
+    /// Takes note of a frame that took this long.
+    pub(crate) fn frame(&mut self, simulation: &dyn Simulation, took: Duration) {
+        self.solving += took;
+        self.look(simulation);
+    }
+
+    fn look(&mut self, simulation: &dyn Simulation) {
+        self.in_motion.raise(&Families::of(&simulation.strains(), |strain| strain.largest));
+    }
+
+    /// The report after the last frame.
+    pub(crate) fn report(self, simulation: &dyn Simulation, scene: &Description, scalar: ScalarKind) -> Report {
+        let seconds = self.solving.as_secs_f64();
+        let strains = simulation.strains();
+        let steps_per_second = f64::from(scene.frames) * f64::from(scene.solver.substeps) / seconds;
+        let particles = scene.sheet.columns * scene.sheet.rows;
+        Report {
+            scene: scene.name.clone(),
+            scalar: scalar.name(),
+            solver: scene.solver.kind.name(),
+            columns: scene.sheet.columns,
+            rows: scene.sheet.rows,
+            frames: scene.frames,
+            substeps: scene.solver.substeps,
+            iterations: scene.solver.iterations,
+            seconds,
+            steps_per_second,
+            particle_steps_per_second: steps_per_second * particles as f64,
+            max_strain_motion: self.in_motion,
+            max_strain_end: Families::of(&strains, |strain| strain.largest),
+            rms_strain_end: strains.all.rms,
+            energy_start: self.energy_start,
+            energy_end: simulation.energy(),
+            digest: simulation.digest(),
+            finite: simulation.is_finite(),
+        }
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { scene, scalar, solver, columns, rows, frames, substeps, iterations, .. } = self;
+        writeln!(f, "scene             {scene}: {columns} x {rows} particles, {frames} frames")?;
+        writeln!(f, "solver            {solver} in {scalar}, {substeps} substeps, {iterations} iterations")?;
+        writeln!(f, "time              {:.3} s, {:.0} steps/s", self.seconds, self.steps_per_second)?;
+        writeln!(f, "                  {:.3e} particle steps/s", self.particle_steps_per_second)?;
+        writeln!(f, "strain in motion  {}", self.max_strain_motion)?;
+        writeln!(f, "strain at the end {}", self.max_strain_end)?;
+        writeln!(f, "                  {:.3} % RMS of all links", 100.0 * self.rms_strain_end)?;
+        writeln!(f, "energy            {:.6} J at the start, {:.6} J at the end", self.energy_start, self.energy_end)?;
+        writeln!(f, "digest            {} ({:#010x})", self.digest, self.digest)?;
+        write!(f, "finite            {}", if self.finite { "yes" } else { "no" })
+    }
+}

@@ -1,0 +1,286 @@
+//! From a description to the core's types, in one number type.
+
+use std::format;
+use std::vec::Vec;
+
+use super::description::{Description, Pose, Spring, Surface, Wind, WindModel};
+use super::error::SceneError;
+use super::fit::Fit;
+use crate::cloth::Cloth;
+use crate::collider::{Capsule, Collider, Plane, Sphere};
+use crate::force::{AerodynamicWind, Drag, FacetWind, Gravity};
+use crate::grid::Node;
+use crate::link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether, Visitor};
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::units::{Strength, Units};
+use crate::vec3::Vec3;
+
+/// Pins that tethers may hold to.
+const ANCHORS: usize = 256;
+
+pub(super) type Air<S> = (Option<FacetWind<S>>, Option<AerodynamicWind<S>>);
+pub(super) type Forces<S> = (Gravity<S>, Option<Drag<S>>, Air<S>);
+type Springs<S> = (Option<Damped<Stretch<S>, S>>, Option<Damped<Shear<S>, S>>, Option<Damped<Bend<S>, S>>);
+
+/// All links of a scene, each family there or not.
+#[derive(Debug)]
+pub(super) struct SceneLinks<S: Scalar> {
+    pub(super) springs: Springs<S>,
+    limit: Option<StrainLimited<Springs<S>, S>>,
+    tether: Option<Tether<S, ANCHORS>>,
+}
+
+impl<S: Scalar> Links<S> for SceneLinks<S> {
+    const DAMPED: bool = true;
+
+    fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
+        self.springs.springs(visitor);
+    }
+
+    fn dampers<V: Visitor<S>>(&self, visitor: &mut V) {
+        self.springs.dampers(visitor);
+    }
+
+    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
+        self.tether.confine(cloth, moment);
+        self.limit.confine(cloth, moment);
+    }
+}
+
+/// Something in the sheet's way.
+#[derive(Debug)]
+enum Obstacle<S> {
+    Sphere(Sphere<S>),
+    Plane(Plane<S>),
+    Capsule(Capsule<S>),
+}
+
+impl<S: Scalar> Collider<S> for Obstacle<S> {
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+        match self {
+            Self::Sphere(sphere) => sphere.contact(moment, position, moved),
+            Self::Plane(plane) => plane.contact(moment, position, moved),
+            Self::Capsule(capsule) => capsule.contact(moment, position, moved),
+        }
+    }
+
+    fn advance(&mut self, end: Moment) {
+        if let Self::Sphere(sphere) = self {
+            sphere.advance(end);
+        }
+    }
+}
+
+/// Everything in the sheet's way.
+#[derive(Debug)]
+pub(super) struct Obstacles<S>(Vec<Obstacle<S>>);
+
+impl<S: Scalar> Obstacles<S> {
+    /// Where the balls are, m.
+    pub(super) fn centres(&self, units: &Units) -> Vec<[f64; 3]> {
+        let centre = |obstacle: &Obstacle<S>| match obstacle {
+            Obstacle::Sphere(sphere) => Some(sphere.centre.to_f64().map(|component| component * units.cell)),
+            _ => None,
+        };
+        self.0.iter().filter_map(centre).collect()
+    }
+
+    /// Moves the balls to `centres`, m.
+    pub(super) fn set_centres(&mut self, units: &Units, centres: &[[f64; 3]]) {
+        let spheres = self.0.iter_mut().filter_map(|obstacle| match obstacle {
+            Obstacle::Sphere(sphere) => Some(sphere),
+            _ => None,
+        });
+        for (sphere, centre) in spheres.zip(centres) {
+            sphere.centre = units.point(*centre).to_vec();
+        }
+    }
+}
+
+impl<S: Scalar> Collider<S> for Obstacles<S> {
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+        self.0.as_slice().contact(moment, position, moved)
+    }
+
+    fn advance(&mut self, end: Moment) {
+        self.0.as_mut_slice().advance(end);
+    }
+}
+
+impl Description {
+    /// The units of its sheet.
+    pub(super) fn units(&self) -> Result<Units, SceneError> {
+        let sheet = &self.sheet;
+        let narrowest = [(sheet.width, sheet.columns), (sheet.height, sheet.rows)]
+            .map(|(extent, particles)| if particles > 1 { extent / (particles - 1) as f64 } else { f64::MAX });
+        for (side, key) in narrowest.into_iter().zip(["cloth.width", "cloth.height"]) {
+            if side < f64::MIN_POSITIVE {
+                return Err(SceneError::new(key, "too small: its cells have no extent"));
+            }
+        }
+        let (particles, size) = ([sheet.columns, sheet.rows], [sheet.width, sheet.height]);
+        Ok(Units::sheet(particles, size, sheet.mass, self.solver.step, self.solver.substeps))
+    }
+
+    /// The sheet at its start, without pins.
+    pub(super) fn cloth<S: Scalar, const W: usize, const H: usize>(
+        &self,
+        units: &Units,
+    ) -> Result<Cloth<S, W, H>, SceneError> {
+        let sheet = &self.sheet;
+        for (side, (count, key)) in units.sides.into_iter().zip([(W, "cloth.width"), (H, "cloth.height")]) {
+            if count > 1 {
+                Fit::<S>::number(key, side)?;
+                // Links count with the inverse square of their rest length.
+                Fit::<S>::number(key, 1.0 / (side * side))?;
+            }
+        }
+        let origin = units.point(sheet.origin);
+        let [right, down] = [units.sides[0] * (W - 1) as f64, units.sides[1] * (H - 1) as f64];
+        let [x, y, z] = origin.0;
+        let opposite = match sheet.pose {
+            Pose::Lay => [x + right, y + down, z],
+            Pose::Hang => [x + right, y, z - down],
+        };
+        Fit::<S>::place("cloth.origin", origin.0)?;
+        Fit::<S>::place("cloth.origin", opposite)?;
+        let mut cloth = match sheet.pose {
+            Pose::Lay => Cloth::lay(units, origin),
+            Pose::Hang => Cloth::hang(units, origin),
+        };
+        if sheet.shares_area() {
+            cloth.share_area();
+        }
+        if let Some(hem) = sheet.hem {
+            cloth.hem(Fit::<S>::number("cloth.hem", hem)?);
+            Fit::<S>::number("cloth.hem", 4.0 / hem)?;
+            Fit::<S>::number("cloth.hem", 1.0 / hem)?;
+        }
+        Ok(cloth)
+    }
+
+    pub(super) fn forces<S: Scalar>(&self, units: &Units) -> Result<Forces<S>, SceneError> {
+        let drag = match self.drag {
+            Some(drag) => {
+                let rate = units.drag(drag.rate);
+                Fit::<S>::number(format!("environment.{}", drag.key), rate.rate)?;
+                Some(Drag::new(rate))
+            }
+            None => None,
+        };
+        Ok((gravity(units, self.gravity)?, drag, air(units, self.wind.as_ref())?))
+    }
+
+    pub(super) fn links<S: Scalar>(&self, units: &Units) -> Result<SceneLinks<S>, SceneError> {
+        let springs = (
+            damped(units, "stretch", self.stretch, Stretch::new)?,
+            damped(units, "shear", self.shear, Shear::new)?,
+            damped(units, "bend", self.bend, Bend::new)?,
+        );
+        let limit = match self.solver.strain_limit {
+            Some(limit) => {
+                let key = "solver.strain_limit";
+                // The longest links are two cells long.
+                Fit::<S>::number(key, 2.0 * (1.0 + limit))?;
+                Some(StrainLimited::new(springs, Fit::number(key, limit)?))
+            }
+            None => None,
+        };
+        let tether = match self.tether_slack {
+            Some(slack) => {
+                let cells = (self.sheet.columns.max(self.sheet.rows) - 1) as f64;
+                Fit::<S>::number("tether.slack", (1.0 + slack) * cells)?;
+                let slack = Fit::number("tether.slack", slack)?;
+                let anchors: Vec<_> = self.sheet.pins.iter().map(|&[column, row]| Node { column, row }).collect();
+                let reason = || SceneError::new("tether", format!("holds to {ANCHORS} pins at most"));
+                Some(Tether::new(units, &anchors, slack).map_err(|_| reason())?)
+            }
+            None => None,
+        };
+        Ok(SceneLinks { springs, limit, tether })
+    }
+
+    pub(super) fn obstacles<S: Scalar>(&self, units: &Units) -> Result<Obstacles<S>, SceneError> {
+        let mut obstacles = Vec::new();
+        let reach = |table: &str, radius: f64, surface: &Surface| {
+            // A contact compares squares of lengths that may be twice as long.
+            Fit::<S>::number(format!("{table}.radius"), 2.0 * units.length(radius).0)?;
+            Fit::<S>::number(format!("{table}.margin"), units.length(surface.margin).0)?;
+            Fit::<S>::number(format!("{table}.margin"), 2.0 * units.length(radius + surface.margin).0)?;
+            Fit::<S>::number(format!("{table}.friction"), surface.friction)
+        };
+        for (index, sphere) in self.spheres.iter().enumerate() {
+            let table = format!("sphere[{index}]");
+            let friction = reach(&table, sphere.radius, &sphere.surface)?;
+            let centre = units.point(sphere.centre);
+            Fit::<S>::place(format!("{table}.centre"), centre.0)?;
+            let velocity = units.velocity(sphere.velocity);
+            Fit::<S>::vector(format!("{table}.velocity"), velocity.0)?;
+            let seconds = self.solver.step * f64::from(self.frames);
+            let end: [f64; 3] = core::array::from_fn(|axis| sphere.centre[axis] + sphere.velocity[axis] * seconds);
+            Fit::<S>::place(format!("{table}.velocity"), units.point(end).0)?;
+            let (radius, margin) = (units.length(sphere.radius), units.length(sphere.surface.margin));
+            let sphere = Sphere::new(centre, radius, margin).with_friction(friction).with_velocity(velocity);
+            obstacles.push(Obstacle::Sphere(sphere));
+        }
+        for (index, plane) in self.planes.iter().enumerate() {
+            let table = format!("plane[{index}]");
+            Fit::<S>::place(format!("{table}.point"), units.point(plane.point).0)?;
+            let margin = units.length(plane.surface.margin);
+            Fit::<S>::number(format!("{table}.margin"), margin.0)?;
+            let friction = Fit::number(format!("{table}.friction"), plane.surface.friction)?;
+            let plane = Plane::new(units.point(plane.point), Vec3::from_f64(plane.normal), margin);
+            obstacles.push(Obstacle::Plane(plane.with_friction(friction)));
+        }
+        for (index, capsule) in self.capsules.iter().enumerate() {
+            let table = format!("capsule[{index}]");
+            let friction = reach(&table, capsule.radius, &capsule.surface)?;
+            let [a, b] = [capsule.a, capsule.b].map(|end| units.point(end));
+            Fit::<S>::place(format!("{table}.a"), a.0)?;
+            Fit::<S>::place(format!("{table}.b"), b.0)?;
+            let (radius, margin) = (units.length(capsule.radius), units.length(capsule.surface.margin));
+            obstacles.push(Obstacle::Capsule(Capsule::new(a, b, radius, margin).with_friction(friction)));
+        }
+        Ok(Obstacles(obstacles))
+    }
+}
+
+/// The core's gravity, from m/s².
+pub(super) fn gravity<S: Scalar>(units: &Units, gravity: [f64; 3]) -> Result<Gravity<S>, SceneError> {
+    let acceleration = units.acceleration(gravity);
+    Fit::<S>::vector("environment.gravity", acceleration.0)?;
+    Ok(Gravity::new(acceleration))
+}
+
+/// The core's wind.
+pub(super) fn air<S: Scalar>(units: &Units, wind: Option<&Wind>) -> Result<Air<S>, SceneError> {
+    let key = "environment.wind.velocity";
+    match wind {
+        None => Ok((None, None)),
+        Some(Wind { velocity, model: WindModel::Facet }) => {
+            let flow = units.facet_wind(*velocity);
+            Fit::<S>::vector(key, flow.wind)?;
+            Ok((Some(FacetWind::new(flow)), None))
+        }
+        Some(Wind { velocity, model: WindModel::Aerodynamic { density, drag_coefficient } }) => {
+            let flow = units.aerodynamic_wind(*velocity, *density, *drag_coefficient);
+            Fit::<S>::vector(key, flow.wind)?;
+            Fit::<S>::number("environment.wind.density", flow.pressure)?;
+            Ok((None, Some(AerodynamicWind::new(flow))))
+        }
+    }
+}
+
+fn damped<S: Scalar, L>(
+    units: &Units,
+    table: &str,
+    spring: Option<Spring>,
+    family: impl Fn(&Units, Strength) -> L,
+) -> Result<Option<Damped<L, S>>, SceneError> {
+    let Some(spring) = spring else { return Ok(None) };
+    let (strength, damping) = (units.stiffness(spring.stiffness), units.damping(spring.damping));
+    Fit::<S>::number(format!("{table}.{}", spring.key), strength.dividend)?;
+    Fit::<S>::number(format!("{table}.damping"), damping.dividend)?;
+    Ok(Some(Damped::new(family(units, strength), damping)))
+}

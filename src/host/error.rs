@@ -1,0 +1,57 @@
+//! What is wrong with a scene, in one line.
+
+use core::fmt;
+use std::string::{String, ToString};
+
+/// What is wrong with a scene: the key and the reason, one line when displayed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SceneError {
+    /// Dotted key, such as `stretch.stiffness` or `sphere[0].radius`; `line 7` where the text is not TOML at all.
+    pub key: String,
+    /// Why it cannot be.
+    pub reason: String,
+}
+
+impl SceneError {
+    /// An error of `key`, for `reason`.
+    pub fn new(key: impl Into<String>, reason: impl Into<String>) -> Self {
+        Self { key: key.into(), reason: reason.into() }
+    }
+
+    pub(super) fn from_toml(text: &str, error: &serde_path_to_error::Error<toml::de::Error>) -> Self {
+        let path = error.path().to_string();
+        let message = error.inner().message().to_string();
+        if let Some(unknown) = message.strip_prefix("unknown field ") {
+            let known = unknown.split_once(", ").map_or("", |(_, known)| known);
+            return Self::new(path, std::format!("unknown key, {known}"));
+        }
+        if let Some(field) = message.strip_prefix("missing field `").and_then(|rest| rest.strip_suffix('`')) {
+            let key = if path == "." { field.to_string() } else { std::format!("{path}.{field}") };
+            return Self::new(key, "missing");
+        }
+        if path == "." {
+            return Self::from_syntax(text, error.inner());
+        }
+        Self::new(path, message)
+    }
+
+    pub(super) fn from_syntax(text: &str, error: &toml::de::Error) -> Self {
+        let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or_default();
+        let line = before.matches('\n').count() + 1;
+        Self::new(std::format!("line {line}"), error.message())
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // Quoted text of the file may hold line breaks; the message must not.
+        for part in [&self.key, ": ", &self.reason] {
+            for c in part.chars() {
+                if c.is_control() { write!(f, "{}", c.escape_default())? } else { write!(f, "{c}")? }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl core::error::Error for SceneError {}

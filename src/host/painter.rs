@@ -1,0 +1,177 @@
+//! Pictures of a scene.
+
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::Rgb888;
+use std::vec::Vec;
+
+use super::description::{Description, Picture, Weave};
+use super::error::SceneError;
+use super::run::Still;
+use super::shape::for_each_shape;
+use crate::cloth::Cloth;
+use crate::render::ground::Backdrop;
+use crate::render::pattern::{Border, CELL, Checks, Gingham, Pattern, Place, Stripes};
+use crate::render::{Ball, Camera, Ground, Light, Look, Rod, Shaded, Shadow, View, Wireframe};
+use crate::units::{Point, Units};
+use crate::vec3::Vec3;
+
+/// Draws moments of a scene: the sheet, balls and rods, and a ground with their shadow.
+///
+/// Pictures are computed in `f32`, whatever the sheet is computed in.
+#[derive(Clone, Debug)]
+pub struct Painter<'a> {
+    scene: &'a Description,
+    units: Units,
+    view: View,
+    ground: Ground,
+    light: Light,
+    screen: Size,
+}
+
+const BALL: Rgb888 = Rgb888::new(96, 112, 128);
+const ROD: Rgb888 = Rgb888::new(120, 96, 72);
+const SHADOW: Rgb888 = Rgb888::new(150, 142, 136);
+/// Where a sheet that has left every bound is drawn, cells from the origin.
+const FURTHEST: f64 = 4096.0;
+
+impl<'a> Painter<'a> {
+    /// A painter for pictures of this size that show these moments.
+    ///
+    /// # Errors
+    ///
+    /// If the sheet's cells have no extent.
+    pub fn new<'b>(
+        scene: &'a Description,
+        stills: impl IntoIterator<Item = &'b Still>,
+        screen: Size,
+    ) -> Result<Self, SceneError> {
+        let units = scene.units()?;
+        let Picture { azimuth, elevation, frame, .. } = scene.picture;
+        let seen = bounds(scene, stills);
+        let [low, high] = frame.unwrap_or(seen);
+        let size = (0..3).fold(units.cell, |size, axis| size.max(high[axis] - low[axis]));
+        let floor = scene.planes.iter().filter(|plane| plane.normal[2] > 0.999).map(|plane| plane.point[2]);
+        let floor = floor.reduce(f64::max).unwrap_or(low[2].min(seen[0][2]) - 0.02 * size);
+        let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+        let ground = Ground::new(units.point([middle[0], middle[1], floor]), units.length(2.2 * size));
+        Ok(Self {
+            scene,
+            units,
+            view: View::new(azimuth, elevation).fit(units.point(low), units.point(high), screen),
+            ground: ground.tiles(units.length(0.25 * size)),
+            light: Light::new(azimuth - 50.0, 50.0),
+            screen,
+        })
+    }
+
+    /// Draws a moment over all of `target`.
+    ///
+    /// # Errors
+    ///
+    /// Whatever the target reports.
+    pub fn draw<D: DrawTarget<Color = Rgb888>>(&self, still: &Still, target: &mut D) -> Result<(), D::Error> {
+        macro_rules! choose {
+            ($(($columns:literal, $rows:literal, $faces:literal))*) => {
+                match (self.scene.sheet.columns, self.scene.sheet.rows) {
+                    $(($columns, $rows) => self.draw_grid::<D, $columns, $rows, $faces>(still, target),)*
+                    _ => Ok(()),
+                }
+            };
+        }
+        for_each_shape!(choose)
+    }
+
+    fn draw_grid<D: DrawTarget<Color = Rgb888>, const W: usize, const H: usize, const N: usize>(
+        &self,
+        still: &Still,
+        target: &mut D,
+    ) -> Result<(), D::Error> {
+        let mut cloth = Cloth::<f32, W, H>::lay(&self.units, Point([0.0; 3]));
+        for (position, metres) in cloth.position.0.as_flattened_mut().iter_mut().zip(&still.positions) {
+            // What is not even a number any more is drawn far below.
+            let near = |cells: f64| if cells.is_nan() { -FURTHEST } else { cells.clamp(-FURTHEST, FURTHEST) };
+            *position = Vec3::from_f64(self.units.point(*metres).0.map(near));
+        }
+        let camera = Camera::new(&self.view, self.screen);
+        let solids = (&*self.balls(still), &*self.rods());
+        let mut ground = self.ground.shadow(Shadow::<160>::new(SHADOW).soften(6));
+        if W == 1 {
+            ground.prepare(&cloth, &solids, &self.light);
+            ground.draw(&camera, target)?;
+            return Wireframe::new(&cloth, &camera).draw(target);
+        }
+        let pattern = Woven::new(&self.scene.picture, W.max(H) as i32 - 1);
+        let look = Look::new(self.light, pattern).solids(solids).backdrop(ground);
+        Shaded::<_, W, H>::new(look).smooth::<N>().draw(&cloth, &camera, target)
+    }
+
+    fn balls(&self, still: &Still) -> Vec<Ball<f32>> {
+        let ball = |(centre, sphere): (&[f64; 3], &super::Sphere)| {
+            Ball::new(self.units.point(*centre), self.units.length(sphere.radius), BALL)
+        };
+        still.spheres.iter().zip(&self.scene.spheres).map(ball).collect()
+    }
+
+    fn rods(&self) -> Vec<Rod<f32>> {
+        let rod = |rod: &super::Capsule| {
+            Rod::new(self.units.point(rod.a), self.units.point(rod.b), self.units.length(rod.radius), ROD)
+        };
+        self.scene.capsules.iter().map(rod).collect()
+    }
+}
+
+/// The box around everything that is seen and not too far away.
+fn bounds<'a>(scene: &Description, stills: impl IntoIterator<Item = &'a Still>) -> [[f64; 3]; 2] {
+    let mut bounds = [[f64::MAX; 3], [f64::MIN; 3]];
+    let mut include = |low: [f64; 3], high: [f64; 3]| {
+        for axis in 0..3 {
+            bounds[0][axis] = bounds[0][axis].min(low[axis]);
+            bounds[1][axis] = bounds[1][axis].max(high[axis]);
+        }
+    };
+    let sheet = &scene.sheet;
+    let furthest = 2.0 * (sheet.width + sheet.height);
+    let near = |x: &&[f64; 3]| (0..3).all(|axis| (x[axis] - sheet.origin[axis]).abs() <= furthest);
+    include(sheet.origin, sheet.origin);
+    for still in stills {
+        for position in still.positions.iter().filter(near) {
+            include(*position, *position);
+        }
+        for (centre, sphere) in still.spheres.iter().zip(&scene.spheres).filter(|(centre, _)| near(centre)) {
+            include(centre.map(|x| x - sphere.radius), centre.map(|x| x + sphere.radius));
+        }
+    }
+    bounds
+}
+
+/// A pattern chosen while the program runs.
+#[derive(Clone, Copy, Debug)]
+struct Woven {
+    weave: Weave,
+    width: i32,
+    tones: [Rgb888; 2],
+}
+
+impl Woven {
+    fn new(picture: &Picture, cells: i32) -> Self {
+        Self {
+            weave: picture.pattern,
+            width: (cells * CELL / picture.bands as i32).max(1),
+            tones: picture.colours.map(|[red, green, blue]| Rgb888::new(red, green, blue)),
+        }
+    }
+}
+
+impl Pattern for Woven {
+    fn tone(&self, at: &Place) -> Rgb888 {
+        let Self { weave, width, tones } = *self;
+        match weave {
+            Weave::Plain => tones[1],
+            Weave::Stripes => Stripes { width, tones }.tone(at),
+            Weave::Checks => Checks { width, tones }.tone(at),
+            Weave::Gingham => Gingham { width, tones }.tone(at),
+            Weave::Kerchief => Border { width, tone: tones[1], inner: Gingham { width, tones } }.tone(at),
+        }
+    }
+}

@@ -1,0 +1,273 @@
+//! A scene in motion, its number type, grid and solver chosen while the program runs.
+
+use std::boxed::Box;
+use std::vec::Vec;
+
+use super::build::{Forces, Obstacles, SceneLinks, air, gravity};
+use super::description::{Description, Wind};
+use super::error::SceneError;
+use super::shape::for_each_shape;
+use super::solver::{AnySolver, Memory};
+use crate::cloth::Cloth;
+use crate::grid::{Grid, Node};
+use crate::link::Links;
+use crate::measure::{self, digest, elastic_energy, gravitational_energy, is_finite, kinetic_energy};
+use crate::scalar::{Q24, Scalar};
+use crate::scene::Scene;
+use crate::units::Units;
+use crate::vec3::Vec3;
+
+/// A number type, by its name on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ScalarKind {
+    /// 32-bit floating point.
+    F32,
+    /// 64-bit floating point.
+    F64,
+    /// Fixed point with 24 fraction bits.
+    Q24,
+}
+
+impl ScalarKind {
+    /// Every number type.
+    pub const ALL: [Self; 3] = [Self::F32, Self::F64, Self::Q24];
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => f32::NAME,
+            Self::F64 => f64::NAME,
+            Self::Q24 => Q24::NAME,
+        }
+    }
+
+    /// The number type of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+}
+
+/// Strain of one or all link families: `| |d|/L - 1 |` of a link.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Strain {
+    /// The largest of all links.
+    pub largest: f64,
+    /// The root of the mean square.
+    pub rms: f64,
+}
+
+/// Strain by family; `None` for a family that the scene does not have.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Strains {
+    /// Links to the next particle.
+    pub stretch: Option<Strain>,
+    /// Links along diagonals.
+    pub shear: Option<Strain>,
+    /// Links to the particle after the next.
+    pub bend: Option<Strain>,
+    /// All links together.
+    pub all: Strain,
+}
+
+/// What can be seen of a moment.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Still {
+    /// Position of every particle, m, row by row.
+    pub positions: Vec<[f64; 3]>,
+    /// Centres of the balls, m.
+    pub spheres: Vec<[f64; 3]>,
+}
+
+/// What a sheet carries from one [`Simulation`] to another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Where everything is.
+    pub still: Still,
+    /// Velocity of every particle, m/s, row by row.
+    pub velocities: Vec<[f64; 3]>,
+    /// Whether a particle is held.
+    pub pinned: Vec<bool>,
+}
+
+/// A sheet in motion, whatever its number type, grid and solver.
+pub trait Simulation: Send {
+    /// Moves on by one frame.
+    fn frame(&mut self);
+    /// Where everything is.
+    fn still(&self) -> Still;
+    /// How far links are from their rest length.
+    fn strains(&self) -> Strains;
+    /// Kinetic, gravitational and elastic energy together, J.
+    fn energy(&self) -> f64;
+    /// 32-bit FNV-1a over the bits of the state: see [`digest`].
+    fn digest(&self) -> u32;
+    /// Whether every number of the state is finite.
+    fn is_finite(&self) -> bool;
+    /// All that moves.
+    fn state(&self) -> State;
+    /// Goes on from `state`, which belongs to a sheet of the same grid.
+    fn restore(&mut self, state: &State);
+    /// Holds a particle where it is, or lets it go.
+    fn set_pinned(&mut self, column: usize, row: usize, pinned: bool);
+    /// Changes gravity, m/s².
+    ///
+    /// # Errors
+    ///
+    /// If the number type does not hold it.
+    fn set_gravity(&mut self, gravity: [f64; 3]) -> Result<(), SceneError>;
+    /// Changes the wind.
+    ///
+    /// # Errors
+    ///
+    /// If the number type does not hold it.
+    fn set_wind(&mut self, wind: Option<&Wind>) -> Result<(), SceneError>;
+}
+
+impl Description {
+    /// Sets the scene up in a number type.
+    ///
+    /// # Errors
+    ///
+    /// If the number type does not hold a value, with the key of the value.
+    pub fn simulation(&self, scalar: ScalarKind) -> Result<Box<dyn Simulation>, SceneError> {
+        match scalar {
+            ScalarKind::F32 => shaped::<f32>(self),
+            ScalarKind::F64 => shaped::<f64>(self),
+            ScalarKind::Q24 => shaped::<Q24>(self),
+        }
+    }
+}
+
+fn shaped<S: Scalar + Send>(description: &Description) -> Result<Box<dyn Simulation>, SceneError> {
+    macro_rules! choose {
+        ($(($columns:literal, $rows:literal, $faces:literal))*) => {
+            match (description.sheet.columns, description.sheet.rows) {
+                $(($columns, $rows) => Running::<S, $columns, $rows>::boxed(description),)*
+                _ => Err(SceneError::new("cloth.columns", "unsupported grid")),
+            }
+        };
+    }
+    for_each_shape!(choose)
+}
+
+struct Running<S: Scalar, const W: usize, const H: usize> {
+    units: Units,
+    gravity: [f64; 3],
+    scene: Scene<Forces<S>, SceneLinks<S>, Obstacles<S>, AnySolver>,
+    cloth: Box<Cloth<S, W, H>>,
+    /// Inverse masses of the sheet without pins.
+    unpinned: Box<Grid<S, W, H>>,
+    memory: Memory<S, W, H>,
+}
+
+impl<S: Scalar + Send, const W: usize, const H: usize> Running<S, W, H> {
+    fn boxed(description: &Description) -> Result<Box<dyn Simulation>, SceneError> {
+        let units = description.units()?;
+        let mut cloth = Box::new(description.cloth::<S, W, H>(&units)?);
+        let unpinned = Box::new(cloth.inverse_mass);
+        for &[column, row] in &description.sheet.pins {
+            cloth.pin(Node { column, row });
+        }
+        let forces = description.forces(&units)?;
+        let (links, obstacles) = (description.links(&units)?, description.obstacles(&units)?);
+        let scene = Scene::new(&units, forces, links, obstacles, AnySolver::new::<S>(description)?);
+        let memory = scene.memory();
+        Ok(Box::new(Self { units, gravity: description.gravity, scene, cloth, unpinned, memory }))
+    }
+}
+
+impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S, W, H> {
+    fn frame(&mut self) {
+        self.scene.step(&mut self.cloth, &mut self.memory);
+        self.scene.advance::<S>();
+    }
+
+    fn still(&self) -> Still {
+        Still {
+            positions: scaled(self.cloth.position.0.as_flattened(), self.units.cell),
+            spheres: self.scene.colliders.centres(&self.units),
+        }
+    }
+
+    fn strains(&self) -> Strains {
+        let (stretch, shear, bend) = &self.scene.links.springs;
+        Strains {
+            stretch: stretch.map(|links| strain(&self.cloth, &links)),
+            shear: shear.map(|links| strain(&self.cloth, &links)),
+            bend: bend.map(|links| strain(&self.cloth, &links)),
+            all: strain(&self.cloth, &self.scene.links.springs),
+        }
+    }
+
+    fn energy(&self) -> f64 {
+        kinetic_energy(&self.cloth, &self.units)
+            + gravitational_energy(&self.cloth, &self.units, self.gravity)
+            + elastic_energy(&self.cloth, &self.units, &self.scene.links.springs)
+    }
+
+    fn digest(&self) -> u32 {
+        digest(&self.cloth)
+    }
+
+    fn is_finite(&self) -> bool {
+        is_finite(&self.cloth)
+    }
+
+    fn state(&self) -> State {
+        let speed = self.units.cell / self.units.tick();
+        State {
+            still: self.still(),
+            velocities: scaled(self.cloth.velocity.0.as_flattened(), speed),
+            pinned: self.cloth.inverse_mass.0.as_flattened().iter().map(|inverse| *inverse == S::ZERO).collect(),
+        }
+    }
+
+    fn restore(&mut self, state: &State) {
+        let Cloth { position, velocity, inverse_mass } = &mut *self.cloth;
+        let unpinned = self.unpinned.0.as_flattened();
+        for (index, inverse_mass) in inverse_mass.0.as_flattened_mut().iter_mut().enumerate() {
+            *inverse_mass = if state.pinned[index] { S::ZERO } else { unpinned[index] };
+        }
+        read(position.0.as_flattened_mut(), &state.still.positions, |x| self.units.point(x).0);
+        read(velocity.0.as_flattened_mut(), &state.velocities, |v| self.units.velocity(v).0);
+        self.scene.colliders.set_centres(&self.units, &state.still.spheres);
+        self.memory = self.scene.memory();
+    }
+
+    fn set_pinned(&mut self, column: usize, row: usize, pinned: bool) {
+        let node = Node { column, row };
+        if pinned {
+            self.cloth.pin(node);
+        } else {
+            self.cloth.release(node, self.unpinned[node]);
+        }
+    }
+
+    fn set_gravity(&mut self, acceleration: [f64; 3]) -> Result<(), SceneError> {
+        self.scene.forces.0 = gravity(&self.units, acceleration)?;
+        self.gravity = acceleration;
+        Ok(())
+    }
+
+    fn set_wind(&mut self, wind: Option<&Wind>) -> Result<(), SceneError> {
+        self.scene.forces.2 = air(&self.units, wind)?;
+        Ok(())
+    }
+}
+
+// Functions of slices: they are compiled for each number type, not for each grid.
+
+fn scaled<S: Scalar>(vectors: &[Vec3<S>], unit: f64) -> Vec<[f64; 3]> {
+    vectors.iter().map(|vector| vector.to_f64().map(|component| component * unit)).collect()
+}
+
+fn read<S: Scalar>(vectors: &mut [Vec3<S>], values: &[[f64; 3]], units: impl Fn([f64; 3]) -> [f64; 3]) {
+    for (vector, value) in vectors.iter_mut().zip(values) {
+        *vector = Vec3::from_f64(units(*value));
+    }
+}
+
+fn strain<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, links: &impl Links<S>) -> Strain {
+    let strain = measure::strain(cloth, links);
+    Strain { largest: strain.largest.to_f64(), rms: strain.rms.to_f64() }
+}

@@ -1,0 +1,94 @@
+//! The solver that a scene asks for while the program runs.
+
+use std::boxed::Box;
+
+use super::description::{Description, SolverKind};
+use super::error::SceneError;
+use super::fit::Fit;
+use crate::cloth::Cloth;
+use crate::collider::Collider;
+use crate::force::Force;
+use crate::link::Links;
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Physics, Solver, Verlet, Xpbd};
+
+/// Directions of links in a scene with every family.
+const DIRECTIONS: usize = 6;
+
+/// One of the core's solvers.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum AnySolver {
+    Verlet(Verlet),
+    ForwardEuler(ForwardEuler),
+    BackwardEuler(BackwardEuler),
+    Leapfrog(Leapfrog),
+    Xpbd(Xpbd),
+    Lines(Lines<DIRECTIONS>),
+}
+
+type MemoryOf<V, S, const W: usize, const H: usize> = <V as Solver<S>>::Memory<W, H>;
+
+/// The memory of [`AnySolver`], on the heap: a large grid's does not fit the stack of every thread.
+pub(super) enum Memory<S: Scalar, const W: usize, const H: usize> {
+    None,
+    ForwardEuler(Box<MemoryOf<ForwardEuler, S, W, H>>),
+    BackwardEuler(Box<MemoryOf<BackwardEuler, S, W, H>>),
+    Leapfrog(Box<MemoryOf<Leapfrog, S, W, H>>),
+    Lines(Box<MemoryOf<Lines<DIRECTIONS>, S, W, H>>),
+}
+
+impl AnySolver {
+    pub(super) fn new<S: Scalar>(scene: &Description) -> Result<Self, SceneError> {
+        let sweeps = scene.solver.iterations;
+        Ok(match scene.solver.kind {
+            SolverKind::Verlet => {
+                // A sweep divides stiffness by their number.
+                Fit::<S>::number("solver.iterations", f64::from(sweeps))?;
+                Self::Verlet(Verlet { sweeps })
+            }
+            SolverKind::ForwardEuler => Self::ForwardEuler(ForwardEuler),
+            SolverKind::BackwardEuler => Self::BackwardEuler(BackwardEuler { newton_steps: sweeps }),
+            SolverKind::Leapfrog => Self::Leapfrog(Leapfrog),
+            SolverKind::Xpbd => Self::Xpbd(Xpbd),
+            // there and back
+            SolverKind::Lines => Self::Lines(Lines { sweeps: 2 * sweeps }),
+        })
+    }
+}
+
+impl<S: Scalar> Solver<S> for AnySolver {
+    type Memory<const W: usize, const H: usize> = Memory<S, W, H>;
+
+    fn memory<const W: usize, const H: usize>(&self) -> Memory<S, W, H> {
+        match self {
+            Self::Verlet(_) | Self::Xpbd(_) => Memory::None,
+            Self::ForwardEuler(solver) => Memory::ForwardEuler(Box::new(Solver::<S>::memory(solver))),
+            Self::BackwardEuler(solver) => Memory::BackwardEuler(Box::new(Solver::<S>::memory(solver))),
+            Self::Leapfrog(solver) => Memory::Leapfrog(Box::new(Solver::<S>::memory(solver))),
+            Self::Lines(solver) => Memory::Lines(Box::new(Solver::<S>::memory(solver))),
+        }
+    }
+
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        memory: &mut Memory<S, W, H>,
+        moment: Moment,
+    ) {
+        match (self, memory) {
+            (Self::Verlet(solver), _) => solver.substep(physics, cloth, &mut (), moment),
+            (Self::Xpbd(solver), _) => solver.substep(physics, cloth, &mut (), moment),
+            (Self::ForwardEuler(solver), Memory::ForwardEuler(memory)) => {
+                solver.substep(physics, cloth, memory, moment);
+            }
+            (Self::BackwardEuler(solver), Memory::BackwardEuler(memory)) => {
+                solver.substep(physics, cloth, memory, moment);
+            }
+            (Self::Leapfrog(solver), Memory::Leapfrog(memory)) => solver.substep(physics, cloth, memory, moment),
+            (Self::Lines(solver), Memory::Lines(memory)) => solver.substep(physics, cloth, memory, moment),
+            _ => unreachable!("a solver meets the memory it made"),
+        }
+    }
+}

@@ -1,0 +1,353 @@
+//! Scene files: what a good one means, and the line that a bad one gets.
+
+use kerchief::host::{BUILT_IN, DEFAULT_SCENE, Description, Pose, SHAPES, SolverKind, WindModel, built_in};
+
+/// A good scene that names every key, for the tests to spoil.
+const GOOD: &str = r#"
+name = "good"
+[cloth]
+columns = 24
+rows = 16
+width = 2.3
+height = 1.5
+mass = 0.5
+hem = 2.0
+pose = "lay"
+origin = [-1.0, 2.0, 3.0]
+pins = [[0, 0], [23, 15], [0, 0]]
+[stretch]
+stiffness = 100.0
+damping = 0.25
+[shear]
+compliance = 0.1
+[bend]
+stiffness = 1.0
+[tether]
+slack = 0.0
+[environment]
+gravity = [0.0, 0.0, -9.81]
+drag = 0.5
+wind = { velocity = [5, 0, -3], model = "aerodynamic", density = 1.3, drag_coefficient = 1.5 }
+[[sphere]]
+centre = [1.0, 2.0, 3.0]
+radius = 0.5
+margin = 0.1
+friction = 0.2
+velocity = [0.0, 1.0, 0.0]
+[[sphere]]
+centre = [0.0, 0.0, 0.0]
+radius = 2
+[[plane]]
+point = [0.0, 0.0, -1.0]
+normal = [0.0, 3.0, 4.0]
+margin = 0.1
+friction = 0.2
+[[capsule]]
+a = [0.0, 0.0, 0.0]
+b = [0.0, 0.0, 1.0]
+radius = 0.5
+margin = 0.1
+friction = 0.2
+[solver]
+kind = "leapfrog"
+step = 0.1
+substeps = 8
+iterations = 3
+strain_limit = 0.1
+[run]
+frames = 20
+"#;
+
+fn spoilt(from: &str, to: &str) -> String {
+    assert_eq!(GOOD.matches(from).count(), 1, "{from:?} must stand in the good scene once");
+    GOOD.replacen(from, to, 1)
+}
+
+/// Asserts that `text` is refused in one line that starts with `key` and holds `reason`.
+fn refused(text: &str, key: &str, reason: &str) {
+    let error = Description::parse(text).expect_err(text);
+    let line = error.to_string();
+    assert_eq!(error.key, key, "{line}");
+    assert!(line.contains(reason), "{line:?} does not say {reason:?}");
+    assert!(!line.contains('\n') && !line.contains('\r'), "{line:?}");
+}
+
+#[test]
+fn a_scene_means_what_it_says() {
+    let scene = Description::parse(GOOD).unwrap();
+    let sheet = &scene.sheet;
+    assert_eq!((sheet.columns, sheet.rows, sheet.width, sheet.height), (24, 16, 2.3, 1.5));
+    assert_eq!((sheet.pose, sheet.origin), (Pose::Lay, [-1.0, 2.0, 3.0]));
+    assert_eq!(sheet.pins, [[0, 0], [23, 15]], "a pin named twice is one pin");
+    let masses = [(0, 0), (23, 0), (0, 1), (1, 15), (1, 1)].map(|(column, row)| sheet.mass_at(column, row));
+    assert_eq!(masses, [1.0, 1.0, 1.0, 1.0, 0.5]);
+    let (stretch, shear) = (scene.stretch.unwrap(), scene.shear.unwrap());
+    assert_eq!((stretch.stiffness, stretch.damping), (100.0, 0.25));
+    assert_eq!((shear.stiffness, shear.damping), (10.0, 0.0));
+    assert_eq!(scene.tether_slack, Some(0.0));
+    assert_eq!((scene.gravity, scene.drag.unwrap().rate), ([0.0, 0.0, -9.81], 0.5));
+    let wind = scene.wind.unwrap();
+    assert_eq!(wind.velocity, [5.0, 0.0, -3.0]);
+    assert_eq!(wind.model, WindModel::Aerodynamic { density: 1.3, drag_coefficient: 1.5 });
+    assert_eq!(scene.spheres.len(), 2);
+    assert_eq!((scene.spheres[0].radius, scene.spheres[0].velocity), (0.5, [0.0, 1.0, 0.0]));
+    assert_eq!((scene.spheres[1].surface.margin, scene.spheres[1].surface.friction), (0.0, 0.0));
+    let normal = scene.planes[0].normal;
+    assert!((normal[1] - 0.6).abs() < 1e-15 && (normal[2] - 0.8).abs() < 1e-15, "{normal:?}");
+    assert_eq!(scene.capsules[0].b, [0.0, 0.0, 1.0]);
+    assert_eq!((scene.solver.kind, scene.solver.substeps, scene.solver.iterations), (SolverKind::Leapfrog, 8, 3));
+    assert_eq!((scene.solver.step, scene.solver.strain_limit, scene.frames), (0.1, Some(0.1), 20));
+}
+
+#[test]
+fn what_is_left_out_is_off() {
+    let text = "[cloth]\ncolumns = 4\nrows = 4\nwidth = 1\nheight = 1\nmass = 1\n";
+    let scene = Description::parse(text).unwrap();
+    assert!(scene.stretch.is_none() && scene.shear.is_none() && scene.bend.is_none());
+    assert!(scene.tether_slack.is_none() && scene.drag.is_none() && scene.wind.is_none());
+    assert!(scene.spheres.is_empty() && scene.planes.is_empty() && scene.capsules.is_empty());
+    assert!(scene.sheet.pins.is_empty());
+    assert_eq!([scene.sheet.mass_at(0, 0), scene.sheet.mass_at(1, 1)], [1.0, 1.0]);
+    assert_eq!((scene.gravity, scene.sheet.pose), ([0.0; 3], Pose::Lay));
+    assert_eq!((scene.solver.iterations, scene.solver.strain_limit), (1, None));
+}
+
+#[test]
+fn density_spreads_by_the_area_around_each_particle() {
+    let scene = Description::parse(&spoilt("mass = 0.5\nhem = 2.0", "density = 0.2")).unwrap();
+    let mass = |column, row| scene.sheet.mass_at(column, row);
+    let total: f64 = (0..16).flat_map(|row| (0..24).map(move |column| (column, row))).map(|(c, r)| mass(c, r)).sum();
+    assert!((total - 0.2 * 2.3 * 1.5).abs() < 1e-12, "the sheet weighs density times area, is {total}");
+    let cell = 0.2 * (2.3 / 23.0) * (1.5 / 15.0);
+    for (column, row, share) in [(0, 0, 0.25), (1, 0, 0.5), (0, 1, 0.5), (1, 1, 1.0), (23, 15, 0.25)] {
+        assert!((mass(column, row) - share * cell).abs() < 1e-15, "particle ({column}, {row})");
+    }
+}
+
+#[test]
+fn verlet_damping_keeps_its_share_over_one_step() {
+    let scene = Description::parse(&spoilt("drag = 0.5", "verlet_damping = 0.1")).unwrap();
+    let kept = (-scene.drag.unwrap().rate * scene.solver.step).exp();
+    assert!((kept - 0.9).abs() < 1e-15);
+    let none = Description::parse(&spoilt("drag = 0.5", "verlet_damping = 0")).unwrap();
+    assert_eq!(none.drag, None);
+}
+
+#[test]
+fn pins_have_names() {
+    let pins = |name: &str| {
+        let scene = spoilt("pins = [[0, 0], [23, 15], [0, 0]]", &format!("pins = \"{name}\""));
+        Description::parse(&scene).unwrap().sheet.pins
+    };
+    assert_eq!(pins("top"), (0..24).map(|column| [column, 0]).collect::<Vec<_>>());
+    assert_eq!(pins("left"), (0..16).map(|row| [0, row]).collect::<Vec<_>>());
+    assert_eq!(pins("corners"), [[0, 0], [23, 0], [0, 15], [23, 15]]);
+    assert_eq!(pins("top-corners"), [[0, 0], [23, 0]]);
+}
+
+#[test]
+fn a_sheet_of_one_column_is_a_chain() {
+    let text = "[cloth]\ncolumns = 1\nrows = 32\nheight = 3.1\nmass = 0.1\npose = \"hang\"\npins = \"top-corners\"\n";
+    let sheet = Description::parse(text).unwrap().sheet;
+    assert_eq!((sheet.columns, sheet.rows, sheet.width), (1, 32, 0.0));
+    assert_eq!(sheet.pins, [[0, 0]], "its two top corners are one particle");
+}
+
+#[test]
+fn every_shape_is_accepted() {
+    for &(columns, rows) in SHAPES {
+        let text = format!("[cloth]\ncolumns = {columns}\nrows = {rows}\nwidth = 1\nheight = 1\nmass = 1\n");
+        let sheet = Description::parse(&text).unwrap().sheet;
+        assert_eq!((sheet.columns, sheet.rows), (columns, rows));
+    }
+}
+
+#[test]
+fn built_in_scenes_are_good_and_bear_their_names() {
+    for scene in BUILT_IN {
+        let description = Description::parse(scene.text).unwrap_or_else(|error| panic!("{}: {error}", scene.name));
+        assert_eq!(description.name, scene.name);
+    }
+    assert!(built_in(DEFAULT_SCENE).is_some());
+    assert!(built_in("no-such-scene").is_none());
+}
+
+#[test]
+fn the_thesis_scenes_share_their_sheet() {
+    for name in ["gravity", "sphere", "wind", "no-shear"] {
+        let scene = Description::parse(built_in(name).unwrap().text).unwrap();
+        let stiffness = |family: Option<kerchief::host::Spring>| family.map(|spring| spring.stiffness);
+        assert_eq!(stiffness(scene.stretch), Some(94270.0), "{name}");
+        assert_eq!(stiffness(scene.shear), (name != "no-shear").then_some(9427.0), "{name}");
+        assert_eq!(stiffness(scene.bend), Some(942.7), "{name}");
+        assert_eq!((scene.sheet.columns, scene.sheet.rows), (32, 32), "{name}");
+        assert_eq!((scene.sheet.width, scene.sheet.height, scene.sheet.pose), (10.0, 10.0, Pose::Lay), "{name}");
+        assert_eq!(scene.sheet.origin, [-5.0, -5.0, 0.0], "{name}");
+        assert_eq!([scene.sheet.mass_at(0, 0), scene.sheet.mass_at(1, 1)], [1.0, 1.0], "{name}");
+        assert_eq!(scene.solver.step, 0.1, "{name}");
+        assert!((scene.drag.unwrap().rate - 1.053_605).abs() < 1e-6, "{name}");
+        assert_eq!(scene.frames, if name == "no-shear" { 50 } else { 100 }, "{name}");
+        assert_eq!(scene.spheres.len(), usize::from(matches!(name, "sphere" | "no-shear")), "{name}");
+        assert_eq!(scene.wind.is_some(), name == "wind", "{name}");
+    }
+}
+
+/// What is replaced, by what, the key in the error and what its reason must say.
+type Bad = (&'static str, &'static str, &'static str, &'static str);
+
+fn all_refused(cases: &[Bad]) {
+    for (from, to, key, reason) in cases {
+        refused(&spoilt(from, to), key, reason);
+    }
+}
+
+#[test]
+fn unknown_keys() {
+    all_refused(&[
+        ("name = \"good\"", "nmae = \"good\"", "nmae", "unknown key, expected one of `name`, `cloth`"),
+        ("[bend]", "[bends]", "bends", "unknown key"),
+        ("columns = 24", "columns = 24\ndepth = 2", "cloth.depth", "unknown key, expected one of `columns`"),
+        ("damping = 0.25", "dampening = 0.25", "stretch.dampening", "unknown key"),
+        ("slack = 0.0", "slak = 0.0", "tether.slak", "unknown key, expected `slack`"),
+        ("\ndrag = 0.5", "\nviscosity = 0.5", "environment.viscosity", "unknown key"),
+        ("density = 1.3", "rho = 1.3", "environment.wind.rho", "unknown key"),
+        ("velocity = [0.0, 1.0, 0.0]", "speed = 1.0", "sphere[0].speed", "unknown key"),
+        ("radius = 2\n", "radius = 2\nmass = 1\n", "sphere[1].mass", "unknown key"),
+        ("normal = [0.0, 3.0, 4.0]", "normals = [0.0, 3.0, 4.0]", "plane[0].normals", "unknown key"),
+        ("b = [0.0, 0.0, 1.0]", "c = [0.0, 0.0, 1.0]", "capsule[0].c", "unknown key"),
+        ("substeps = 8", "sub_steps = 8", "solver.sub_steps", "unknown key"),
+        ("frames = 20", "seconds = 20", "run.seconds", "unknown key, expected `frames`"),
+        ("frames = 20", "\"a\\nb\" = 20", "run.a\nb", "run.a\\nb: unknown key"),
+    ]);
+}
+
+#[test]
+fn wrong_types() {
+    all_refused(&[
+        ("name = \"good\"", "name = 5", "name", "expected a string"),
+        ("columns = 24", "columns = 24.0", "cloth.columns", "expected a whole number"),
+        ("rows = 16", "rows = \"16\"", "cloth.rows", "expected a whole number"),
+        ("width = 2.3", "width = \"2.3 m\"", "cloth.width", "invalid type: string \"2.3 m\", expected a number"),
+        ("mass = 0.5", "mass = true", "cloth.mass", "expected a number"),
+        ("height = 1.5", "height = 1979-05-27", "cloth.height", "expected a number"),
+        ("origin = [-1.0, 2.0, 3.0]", "origin = 3.0", "cloth.origin", "expected three numbers [x, y, z]"),
+        ("origin = [-1.0, 2.0, 3.0]", "origin = [-1.0, 2.0]", "cloth.origin", "invalid length 2, expected three"),
+        ("gravity = [0.0, 0.0, -9.81]", "gravity = [0, 0, 0, -9.81]", "environment.gravity", "invalid length 4"),
+        ("gravity = [0.0, 0.0, -9.81]", "gravity = [0, 0, \"g\"]", "environment.gravity[2]", "expected a number"),
+        ("pins = [[0, 0], [23, 15], [0, 0]]", "pins = 3", "cloth.pins", "expected a list of [column, row] or one of"),
+        ("[23, 15]", "[23, 1.5]", "cloth.pins[1][1]", "invalid type: floating point `1.5`"),
+        ("stiffness = 100.0", "stiffness = [100.0]", "stretch.stiffness", "expected a number"),
+        ("substeps = 8", "substeps = [8]", "solver.substeps", "expected a whole number"),
+        ("kind = \"leapfrog\"", "kind = 4", "solver.kind", "wanted string"),
+        ("velocity = [5, 0, -3], ", "velocity = \"west\", ", "environment.wind.velocity", "expected three numbers"),
+    ]);
+    refused("cloth = 4\n", "cloth", "invalid type: integer `4`, expected a table");
+    refused("stretch = [100.0, 1.0]\n", "stretch", "expected a table");
+    refused("[cloth]\ncolumns = 4\nrows = 4\nwidth = 1\nheight = 1\nmass = 1\n[sphere]\nradius = 1\n", "sphere", "map");
+}
+
+#[test]
+fn numbers_out_of_range() {
+    all_refused(&[
+        ("width = 2.3", "width = 0.0", "cloth.width", "must be above zero, is 0"),
+        ("width = 2.3", "width = nan", "cloth.width", "must be finite, is NaN"),
+        ("height = 1.5", "height = -1.5", "cloth.height", "must be above zero, is -1.5"),
+        ("height = 1.5", "height = inf", "cloth.height", "must be finite, is inf"),
+        ("mass = 0.5", "mass = -0.5", "cloth.mass", "must be above zero, is -0.5"),
+        ("mass = 0.5", "mass = 0", "cloth.mass", "must be above zero, is 0"),
+        ("mass = 0.5", "density = -1.0", "cloth.density", "must be above zero"),
+        ("mass = 0.5", "mass = 1e308", "cloth.mass", "gives a particle the mass inf kg"),
+        ("mass = 0.5", "density = 5e-324", "cloth.density", "gives a particle the mass 0 kg"),
+        ("hem = 2.0", "hem = 0.0", "cloth.hem", "must be above zero"),
+        ("hem = 2.0", "hem = -inf", "cloth.hem", "must be finite, is -inf"),
+        ("origin = [-1.0, 2.0, 3.0]", "origin = [-1.0, inf, 3.0]", "cloth.origin[1]", "must be finite"),
+        ("stiffness = 100.0", "stiffness = -100.0", "stretch.stiffness", "must be zero or above, is -100"),
+        ("compliance = 0.1", "compliance = -0.1", "shear.compliance", "must be above zero"),
+        ("compliance = 0.1", "compliance = 0", "shear.compliance", "must be above zero"),
+        ("compliance = 0.1", "compliance = 1e-320", "shear.compliance", "too small"),
+        ("damping = 0.25", "damping = -0.25", "stretch.damping", "must be zero or above"),
+        ("slack = 0.0", "slack = -0.1", "tether.slack", "must be zero or above"),
+        ("gravity = [0.0, 0.0, -9.81]", "gravity = [0, 0, -inf]", "environment.gravity[2]", "must be finite"),
+        ("\ndrag = 0.5", "\ndrag = -0.5", "environment.drag", "must be zero or above"),
+        ("\ndrag = 0.5", "\nverlet_damping = 1.0", "environment.verlet_damping", "at least 0 and below 1, is 1"),
+        ("\ndrag = 0.5", "\nverlet_damping = -0.1", "environment.verlet_damping", "at least 0 and below 1"),
+        ("density = 1.3", "density = 0", "environment.wind.density", "must be above zero"),
+        ("drag_coefficient = 1.5", "drag_coefficient = -1", "environment.wind.drag_coefficient", "zero or above"),
+        ("velocity = [5, 0, -3]", "velocity = [5, nan, -3]", "environment.wind.velocity[1]", "must be finite"),
+        ("radius = 2\n", "radius = 0\n", "sphere[1].radius", "must be above zero"),
+        ("radius = 2\n", "radius = -2\n", "sphere[1].radius", "must be above zero"),
+        ("radius = 2\n", "radius = 2\nmargin = -0.1\n", "sphere[1].margin", "must be zero or above"),
+        ("radius = 2\n", "radius = 2\nfriction = -0.1\n", "sphere[1].friction", "must be zero or above"),
+        ("normal = [0.0, 3.0, 4.0]", "normal = [0, 0.0, 0]", "plane[0].normal", "must not be the zero vector"),
+        ("b = [0.0, 0.0, 1.0]", "b = [0.0, 0.0, 0.0]", "capsule[0].b", "must differ from a"),
+        ("step = 0.1", "step = 0.0", "solver.step", "must be above zero"),
+        ("step = 0.1", "step = -0.1", "solver.step", "must be above zero"),
+        ("substeps = 8", "substeps = 0", "solver.substeps", "from 1 to 1048576, is 0"),
+        ("substeps = 8", "substeps = -8", "solver.substeps", "is -8"),
+        ("iterations = 3", "iterations = 0", "solver.iterations", "is 0"),
+        ("strain_limit = 0.1", "strain_limit = -0.1", "solver.strain_limit", "must be above zero"),
+        ("frames = 20", "frames = 0", "run.frames", "is 0"),
+        ("frames = 20", "frames = 99999999999", "run.frames", "is 99999999999"),
+        ("columns = 24", "columns = 0", "cloth.columns", "is 0"),
+        ("rows = 16", "rows = -16", "cloth.rows", "is -16"),
+    ]);
+    let instant = spoilt("\ndrag = 0.5", "\nverlet_damping = 0.5").replace("step = 0.1", "step = 1e-320");
+    refused(&instant, "environment.verlet_damping", "not finite");
+}
+
+#[test]
+fn keys_that_exclude_or_need_each_other() {
+    all_refused(&[
+        ("mass = 0.5", "mass = 0.5\ndensity = 0.1", "cloth.density", "give mass or density, not both"),
+        ("mass = 0.5", "", "cloth.mass", "missing; give mass"),
+        (
+            "stiffness = 100.0",
+            "stiffness = 1\ncompliance = 1",
+            "stretch.compliance",
+            "stiffness or compliance, not both",
+        ),
+        ("stiffness = 100.0", "", "stretch.stiffness", "missing; give stiffness (N/m) or compliance"),
+        ("\ndrag = 0.5", "\ndrag = 0\nverlet_damping = 0", "environment.verlet_damping", "drag or verlet_damping, not"),
+        (
+            "model = \"aerodynamic\"",
+            "model = \"facet\"",
+            "environment.wind.density",
+            "only with model = \"aerodynamic\"",
+        ),
+        (", model = \"aerodynamic\"", "", "environment.wind.model", "missing"),
+        ("width = 2.3", "", "cloth.width", "missing"),
+        ("height = 1.5", "", "cloth.height", "missing"),
+        ("columns = 24", "", "cloth.columns", "missing"),
+        ("point = [0.0, 0.0, -1.0]", "", "plane[0].point", "missing"),
+        ("centre = [1.0, 2.0, 3.0]", "", "sphere[0].centre", "missing"),
+    ]);
+    refused("name = \"nothing\"\n", "cloth", "missing");
+    refused("", "cloth", "missing");
+    refused("[cloth]\ncolumns = 1\nrows = 32\nheight = 1\ndensity = 1\n", "cloth.density", "no area");
+}
+
+#[test]
+fn names_and_places_that_do_not_exist() {
+    all_refused(&[
+        ("pose = \"lay\"", "pose = \"stand\"", "cloth.pose", "unknown variant `stand`, expected `lay` or `hang`"),
+        ("kind = \"leapfrog\"", "kind = \"magic\"", "solver.kind", "unknown variant `magic`, expected one of `verlet`"),
+        ("model = \"aerodynamic\"", "model = \"calm\"", "environment.wind.model", "unknown variant `calm`"),
+        ("pins = [[0, 0], [23, 15], [0, 0]]", "pins = \"middle\"", "cloth.pins", "invalid value: string \"middle\""),
+        ("[23, 15]", "[24, 15]", "cloth.pins[1]", "[24, 15] is outside the grid of 24x16"),
+        ("[23, 15]", "[0, 16]", "cloth.pins[1]", "[0, 16] is outside the grid"),
+        ("[23, 15]", "[-1, 0]", "cloth.pins[1]", "[-1, 0] is outside the grid"),
+        ("[23, 15]", "[1]", "cloth.pins[1]", "must be [column, row], is [1]"),
+        ("[23, 15]", "[1, 2, 3]", "cloth.pins[1]", "must be [column, row], is [1, 2, 3]"),
+        ("columns = 24", "columns = 23", "cloth.columns", "no grid of 23x16 (columns x rows), only 1x32, 4x4"),
+        ("rows = 16", "rows = 17", "cloth.rows", "no grid of 24x17"),
+    ]);
+}
+
+#[test]
+fn text_that_is_not_toml() {
+    refused("name = \"x\"\n[cloth\ncolumns = 4\n", "line 2", "unclosed table");
+    refused("[cloth]\ncolumns = 4\ncolumns = 4\n", "line 3", "duplicate key");
+    refused("[cloth]\nrows =\n", "line 2", "must be quoted");
+    refused("# a comment\n\nrows 4\n", "line 3", "expected");
+    refused("{\"json\": true}", "line 1", "expected");
+}

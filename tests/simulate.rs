@@ -1,0 +1,333 @@
+//! The program `simulate`: what it refuses, and what it writes.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+use kerchief::host::{Description, SHAPES, ScalarKind, SolverKind};
+use tempfile::TempDir;
+
+/// A scene that runs in an instant.
+const SMALL: &str = r#"
+name = "small"
+[cloth]
+columns = 4
+rows = 4
+width = 1.0
+height = 1.0
+density = 0.2
+origin = [-0.5, -0.5, 1.0]
+pins = [[0, 0], [3, 0]]
+[stretch]
+stiffness = 100.0
+[shear]
+stiffness = 10.0
+[environment]
+gravity = [0.0, 0.0, -9.81]
+[[sphere]]
+centre = [0.0, 0.0, 0.4]
+radius = 0.3
+[solver]
+kind = "xpbd"
+step = 0.02
+substeps = 4
+[run]
+frames = 10
+"#;
+
+/// The built program.
+fn program() -> Command {
+    static PATH: OnceLock<PathBuf> = OnceLock::new();
+    let build = || escargot::CargoBuild::new().example("simulate").current_release();
+    Command::new(PATH.get_or_init(|| build().run().expect("the example builds").path().to_path_buf()))
+}
+
+/// A place to run in, with the scene `small.toml`.
+fn room() -> TempDir {
+    let room = tempfile::tempdir().unwrap();
+    fs::write(room.path().join("small.toml"), SMALL).unwrap();
+    room
+}
+
+fn run(room: &Path, args: &[&str]) -> Output {
+    program().current_dir(room).args(args).output().unwrap()
+}
+
+/// Asserts that the program runs and says nothing on stderr.
+fn succeeds(room: &Path, args: &[&str]) -> String {
+    let output = run(room, args);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && stderr.is_empty(), "{args:?}: {stderr}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Asserts one line on stderr that holds `reason`, exit status 2, and nothing written.
+fn refuses(room: &Path, args: &[&str], reason: &str) {
+    let before = names(room);
+    let output = run(room, args);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{args:?}: {stderr}");
+    assert!(stderr.starts_with("error: ") && stderr.ends_with('\n'), "{args:?}: {stderr:?}");
+    assert_eq!(stderr.lines().count(), 1, "{args:?}: {stderr:?}");
+    assert!(stderr.contains(reason), "{args:?}: {stderr:?} does not say {reason:?}");
+    assert!(output.stdout.is_empty(), "{args:?}");
+    assert_eq!(names(room), before, "{args:?} left something");
+}
+
+fn names(directory: &Path) -> Vec<String> {
+    let entries = fs::read_dir(directory).unwrap();
+    let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn scenes_that_are_not_there() {
+    let room = room();
+    let room = room.path();
+    refuses(room, &["flagg"], "no scene or file \"flagg\"; built-in scenes: gravity, sphere, wind, no-shear, flag");
+    refuses(room, &["missing.toml"], "missing.toml: ");
+    refuses(room, &["."], ".: ");
+    fs::write(room.join("latin.toml"), b"name = \"caf\xe9\"\n").unwrap();
+    refuses(room, &["latin.toml"], "latin.toml: ");
+}
+
+#[test]
+fn scenes_that_are_wrong() {
+    let room = room();
+    let room = room.path();
+    for (from, to, reason) in [
+        ("density = 0.2", "density = -0.2", "bad.toml: cloth.density: must be above zero"),
+        ("rows = 4", "rows = 5", "bad.toml: cloth.rows: no grid of 4x5"),
+        ("[shear]", "[sheer]", "bad.toml: sheer: unknown key"),
+        ("[run]", "[run", "bad.toml: line 24: unclosed table"),
+        ("name = \"small\"", "\"two\\nlines\" = 1", "bad.toml: two\\nlines: unknown key"),
+    ] {
+        assert_eq!(SMALL.matches(from).count(), 1, "{from:?}");
+        fs::write(room.join("bad.toml"), SMALL.replace(from, to)).unwrap();
+        refuses(room, &["bad.toml"], reason);
+    }
+}
+
+#[test]
+fn options_that_are_wrong() {
+    let room = room();
+    let room = room.path();
+    for (args, reason) in [
+        (&["small.toml", "--frame", "3"][..], "unexpected argument '--frame'"),
+        (&["small.toml", "other.toml"], "unexpected argument 'other.toml'"),
+        (
+            &["small.toml", "--scalar", "f16"],
+            "invalid value 'f16' for '--scalar <TYPE>' [possible values: f32, f64, q24]",
+        ),
+        (
+            &["small.toml", "--solver", "magic"],
+            "[possible values: verlet, forward-euler, backward-euler, leapfrog, xpbd",
+        ),
+        (&["small.toml", "--substeps", "0"], "'--substeps <N>'"),
+        (&["small.toml", "--substeps", "4000000000"], "'--substeps <N>'"),
+        (&["small.toml", "--iterations", "0"], "'--iterations <N>'"),
+        (&["small.toml", "--frames", "ten"], "'--frames <N>'"),
+        (&["small.toml", "--every", "0"], "'--every <N>'"),
+        (&["small.toml", "--every", "-1"], "unexpected argument '-1'"),
+        (&["small.toml", "--out"], "'--out <DIR>'"),
+        (&["small.toml", "--out", "small.toml"], "--out: small.toml: "),
+        (&["small.toml", "--out", "small.toml/out"], "--out: small.toml/out: "),
+    ] {
+        refuses(room, args, reason);
+    }
+}
+
+#[test]
+#[cfg(not(feature = "window"))]
+fn a_window_needs_its_feature() {
+    refuses(room().path(), &["small.toml", "--window"], "--window: ");
+}
+
+#[test]
+fn numbers_that_the_type_cannot_hold() {
+    let room = room();
+    let room = room.path();
+    for (scalar, from, to, reason) in [
+        ("q24", "origin = [-0.5, -0.5, 1.0]", "origin = [-0.5, 50.0, 1.0]", "cloth.origin: more than 128 cells"),
+        ("f32", "origin = [-0.5, -0.5, 1.0]", "origin = [1e5, 0.0, 1.0]", "cloth.origin: more than"),
+        ("q24", "width = 1.0", "width = 0.01", "cloth.width: too large for q24"),
+        ("q24", "gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, 1e9]", "environment.gravity: too large for q24"),
+        ("q24", "gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, 1e-5]", "environment.gravity: too small for q24"),
+        ("f32", "gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, 1e45]", "environment.gravity: too large for f32"),
+        ("q24", "radius = 0.3", "radius = 30.0", "sphere[0].radius: too large for q24"),
+        ("q24", "radius = 0.3", "radius = 0.3\nmargin = 60.0", "sphere[0].margin: too large for q24"),
+        ("q24", "radius = 0.3", "radius = 0.3\nfriction = 200", "sphere[0].friction: too large for q24"),
+        ("q24", "radius = 0.3", "radius = 0.3\nvelocity = [0, 0, 300.0]", "sphere[0].velocity: more than 128 cells"),
+        ("f32", "centre = [0.0, 0.0, 0.4]", "centre = [0.0, 1e39, 0.4]", "sphere[0].centre: more than"),
+        ("q24", "stiffness = 100.0", "stiffness = 1e-6", "stretch.stiffness: too small for q24"),
+        ("f32", "stiffness = 100.0", "stiffness = 1e-60", "stretch.stiffness: too small for f32"),
+        ("q24", "stiffness = 100.0", "compliance = 1e7", "stretch.compliance: too small for q24"),
+        ("q24", "density = 0.2", "density = 0.2\nhem = 500", "cloth.hem: too large for q24"),
+        ("f64", "width = 1.0\nheight = 1.0\ndensity", "width = 5e-324\nheight = 1.0\nmass", "cloth.width: too small"),
+        ("q24", "substeps = 4", "strain_limit = 100", "solver.strain_limit: too large for q24"),
+        ("q24", "kind = \"xpbd\"", "kind = \"verlet\"\niterations = 128", "solver.iterations: too large for q24"),
+    ] {
+        assert_eq!(SMALL.matches(from).count(), 1, "{from:?}");
+        fs::write(room.join("bad.toml"), SMALL.replace(from, to)).unwrap();
+        refuses(room, &["bad.toml", "--scalar", scalar], reason);
+    }
+}
+
+#[test]
+fn positions_are_those_of_the_recorded_frames() {
+    let room = room();
+    let room = room.path();
+    succeeds(room, &["small.toml", "--csv", "--every", "3", "--scalar", "f64"]);
+    assert_eq!(names(&room.join("out")), ["positions.csv", "report.json"]);
+    let table = fs::read_to_string(room.join("out/positions.csv")).unwrap();
+    let mut lines = table.lines();
+    assert_eq!(lines.next(), Some("frame,column,row,x,y,z"));
+
+    let scene = Description::parse(SMALL).unwrap();
+    let mut simulation = scene.simulation(ScalarKind::F64).unwrap();
+    for frame in 0..=10 {
+        if frame > 0 {
+            simulation.frame();
+        }
+        if frame % 3 != 0 && frame != 10 {
+            continue;
+        }
+        for (index, position) in simulation.still().positions.into_iter().enumerate() {
+            let line = lines.next().unwrap();
+            let fields: Vec<_> = line.split(',').collect();
+            let place = [frame, index % 4, index / 4].map(|number| number.to_string());
+            assert_eq!(fields[..3], place, "{line}");
+            let written = [3, 4, 5].map(|field| fields[field].parse::<f64>().unwrap().to_bits());
+            assert_eq!(written, position.map(f64::to_bits), "{line}: every digit comes back");
+        }
+    }
+    assert_eq!(lines.next(), None);
+}
+
+#[test]
+fn the_report_has_its_keys_in_order() {
+    let room = room();
+    let room = room.path();
+    let stdout = succeeds(room, &["small.toml", "--csv", "--scalar", "q24", "--substeps", "3", "--frames", "7"]);
+    let text = fs::read_to_string(room.join("out/report.json")).unwrap();
+    let at = |key: &&str| text.find(&format!("\"{key}\":")).unwrap_or_else(|| panic!("no {key} in {text}"));
+    let keys = [
+        "scene",
+        "scalar",
+        "solver",
+        "columns",
+        "rows",
+        "frames",
+        "substeps",
+        "iterations",
+        "seconds",
+        "steps_per_second",
+        "particle_steps_per_second",
+        "max_strain_motion",
+        "max_strain_end",
+        "rms_strain_end",
+        "energy_start",
+        "energy_end",
+        "digest",
+        "finite",
+    ];
+    assert!(keys.iter().map(at).is_sorted(), "{text}");
+    let report: BTreeMap<String, serde_json::Value> = serde_json::from_str(&text).unwrap();
+    assert_eq!(report.len(), keys.len(), "{text}");
+
+    let mut scene = Description::parse(SMALL).unwrap();
+    scene.solver.substeps = 3;
+    let mut simulation = scene.simulation(ScalarKind::Q24).unwrap();
+    let start = simulation.energy();
+    let mut motion = 0.0_f64;
+    for _ in 0..7 {
+        simulation.frame();
+        motion = motion.max(simulation.strains().stretch.unwrap().largest);
+    }
+    let strains = simulation.strains();
+    assert_eq!(report["scene"], "small");
+    assert_eq!(report["scalar"], "q24");
+    assert_eq!(report["solver"], "xpbd");
+    assert_eq!((&report["columns"], &report["rows"]), (&4.into(), &4.into()));
+    assert_eq!((&report["frames"], &report["substeps"], &report["iterations"]), (&7.into(), &3.into(), &1.into()));
+    assert_eq!(report["max_strain_motion"]["stretch"], motion);
+    assert_eq!(report["max_strain_end"]["stretch"], strains.stretch.unwrap().largest);
+    assert_eq!(report["max_strain_end"]["shear"], strains.shear.unwrap().largest);
+    assert!(report["max_strain_end"]["bend"].is_null(), "the scene has no bend links");
+    assert_eq!(report["rms_strain_end"], strains.all.rms);
+    for (key, energy) in [("energy_start", start), ("energy_end", simulation.energy())] {
+        let reported = report[key].as_f64().unwrap();
+        assert!((reported / energy - 1.0).abs() < 1e-15, "{key}: {reported}, not {energy}");
+    }
+    assert_eq!(report["digest"], simulation.digest());
+    assert_eq!(report["finite"], true);
+    let [seconds, steps, particle_steps] =
+        ["seconds", "steps_per_second", "particle_steps_per_second"].map(|key| report[key].as_f64().unwrap());
+    assert!(seconds > 0.0 && (steps * seconds / 21.0 - 1.0).abs() < 1e-9);
+    assert!((particle_steps / steps / 16.0 - 1.0).abs() < 1e-9);
+    assert!(stdout.contains(&format!("{:#010x}", simulation.digest())), "{stdout}");
+}
+
+#[test]
+fn a_file_without_a_name_is_called_as_it_is() {
+    let room = room();
+    let room = room.path();
+    fs::write(room.join("nameless.toml"), SMALL.replace("name = \"small\"", "")).unwrap();
+    succeeds(room, &["nameless.toml", "--csv"]);
+    assert!(fs::read_to_string(room.join("out/report.json")).unwrap().contains("\"scene\": \"nameless\""));
+}
+
+#[test]
+fn every_number_type_grid_and_solver_runs() {
+    for &(columns, rows) in SHAPES {
+        let cells = if columns > 1 { columns - 1 } else { 1 };
+        let text = format!(
+            "[cloth]\ncolumns = {columns}\nrows = {rows}\nwidth = {}\nheight = {}\nmass = 0.01\npins = \"top\"\n\
+             [stretch]\nstiffness = 10\ndamping = 0.001\n[shear]\nstiffness = 1\n[bend]\nstiffness = 1\n\
+             [environment]\ngravity = [0, 0, -9.81]\nwind = {{ velocity = [1, 1, 1], model = \"facet\" }}\n\
+             [solver]\nstep = 0.01\nsubsteps = 2\n",
+            0.1 * cells as f64,
+            0.1 * (rows - 1) as f64,
+        );
+        let mut scene = Description::parse(&text).unwrap();
+        for kind in SolverKind::ALL {
+            scene.solver.kind = kind;
+            let lowest = ScalarKind::ALL.map(|scalar| {
+                let mut simulation = scene.simulation(scalar).unwrap();
+                let start = simulation.still().positions;
+                (0..5).for_each(|_| simulation.frame());
+                assert!(simulation.is_finite());
+                let end = simulation.still().positions;
+                assert_eq!(start[..columns], end[..columns], "pins hold");
+                end.iter().fold(f64::MAX, |lowest, [_, _, z]| lowest.min(*z))
+            });
+            // 1.2 cm of free fall
+            assert!(lowest.iter().all(|z| (-0.03..-0.005).contains(z)), "{} {columns}x{rows}: {lowest:?}", kind.name());
+            let spread = lowest.iter().fold(0.0_f64, |spread, z| spread.max((z - lowest[1]).abs()));
+            assert!(spread < 1e-4, "{} {columns}x{rows}: {lowest:?}", kind.name());
+        }
+    }
+}
+
+#[test]
+fn a_state_moves_from_one_solver_and_number_type_to_another() {
+    let mut scene = Description::parse(SMALL).unwrap();
+    let mut before = scene.simulation(ScalarKind::F64).unwrap();
+    (0..5).for_each(|_| before.frame());
+    before.set_pinned(3, 0, false);
+    scene.solver.kind = SolverKind::Verlet;
+    scene.solver.substeps = 7;
+    let mut after = scene.simulation(ScalarKind::F64).unwrap();
+    after.restore(&before.state());
+    let (before, after) = (before.state(), after.state());
+    let difference = |a: &[[f64; 3]], b: &[[f64; 3]]| {
+        a.iter().flatten().zip(b.iter().flatten()).fold(0.0_f64, |largest, (a, b)| largest.max((a - b).abs()))
+    };
+    assert!(difference(&before.still.positions, &after.still.positions) < 1e-14);
+    assert!(difference(&before.velocities, &after.velocities) < 1e-13);
+    assert_eq!(before.pinned, after.pinned);
+    assert!(before.pinned[0] && !before.pinned[3]);
+}
