@@ -11,6 +11,7 @@
 //! last substep's multipliers, and particles from the velocities that these gave them: what couples rows, columns and diagonals is then mostly there already.
 
 mod chain;
+mod damp;
 mod predict;
 mod relax;
 
@@ -21,9 +22,10 @@ use crate::grid::{Grid, Node};
 use crate::link::Links;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, confine, predict::damp};
+use crate::solver::{Physics, Solver, confine};
 use crate::vec3::Vec3;
 
+use damp::Damp;
 use relax::Relax;
 
 /// Second order in time, exact along rows and columns, stable for any stiffness and step: the solver for sheets that hardly stretch.
@@ -97,18 +99,17 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         memory: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
-        damp(physics.links, cloth);
         let first_order = memory.history == History::Rough;
-        let drag = physics.forces.drag().rate;
-        let two_thirds = S::from_int(2).divide(S::from_int(3));
-        // what κ = k·h²/m becomes: x' depends on a' by (4/9)·h²/(1 + (2/3)·γ·h), with backward Euler by h²/(1 + γ·h)
-        let (moment, softness) = if first_order {
+        // the rule in time: x' depends on v' by part·h, and v' on a' by part·h/(1 + part·γ·h)
+        let (moment, part) = if first_order {
             predict::first_order(physics.forces, cloth, memory, moment);
-            (moment, (S::ONE + drag).recip())
+            (moment, S::ONE)
         } else {
             predict::second_order(physics.forces, cloth, memory, moment);
-            (Moment { halves: 3, ..moment }, (two_thirds * two_thirds).divide(S::ONE + two_thirds * drag))
+            (Moment { halves: 3, ..moment }, S::from_int(2).divide(S::from_int(3)))
         };
+        let response = part.divide(S::ONE + part * physics.forces.drag().rate);
+        let softness = part * response;
         let unit = S::ONE.rate(moment.halves, moment.shift);
         if S::FLOATS {
             scale(&mut cloth.velocity, unit.recip());
@@ -125,6 +126,9 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         let rough = relax.is_rough();
         if S::FLOATS {
             scale(&mut cloth.velocity, unit);
+        }
+        if L::DAMPED {
+            physics.links.dampers(&mut Damp { cloth, moment, part, response });
         }
         confine(physics, cloth, moment);
         memory.history = match (rough, first_order) {
