@@ -5,7 +5,8 @@
 //! `v' = (4·v − v₋)/3 + (2/3)·h·a'`,  `x' = x + h·(4·v' + v + v₋)/6`,
 //!
 //! which needs one vector of history instead of two, is stable for any step, loses half as much energy as BDF2 for both, and halves what it can't resolve in
-//! every substep. The first substep takes the acceleration at its start for the missing history, so that free fall is exact.
+//! every substep. In the first substep, whose history is missing, links follow backward Euler, which once costs no order, and the other forces their
+//! acceleration at its start, so that free fall is exact.
 //!
 //! **In space** a sweep relaxes the other families link by link, then all rows, then all columns ([`chain`]). Sweeps start from a part of the
 //! last substep's multipliers, and particles from the velocities that these gave them: what couples rows, columns and diagonals is then mostly there already.
@@ -100,12 +101,15 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         moment: Moment,
     ) {
         let first_order = memory.history == History::Rough;
-        // the rule in time: x' depends on v' by part·h, and v' on a' by part·h/(1 + part·γ·h)
-        let (moment, part) = if first_order {
+        if first_order {
             predict::first_order(physics.forces, cloth, memory, moment);
-            (moment, S::ONE)
         } else {
             predict::second_order(physics.forces, cloth, memory, moment);
+        }
+        // the rule in time: x' depends on v' by part·h, and v' on a' by part·h/(1 + part·γ·h)
+        let (moment, part) = if first_order || memory.history == History::None {
+            (moment, S::ONE)
+        } else {
             (Moment { halves: 3, ..moment }, S::from_int(2).divide(S::from_int(3)))
         };
         let response = part.divide(S::ONE + part * physics.forces.drag().rate);
