@@ -1,4 +1,52 @@
-//! Cloth that runs on a microcontroller.
+//! Cloth that runs on a microcontroller: a sheet of particles held together by springs, without an allocator and, where the chip
+//! has no floating point, without a float.
+//!
+//! The state ([`Cloth`]) is in RAM and its size is known when it is compiled. The description ([`Scene`]) says what acts on it, as
+//! tuples: `()` is nothing, and what a scene doesn't name costs neither a byte nor an instruction. The number type is a type
+//! parameter, and so is the solver.
+//!
+//! ```
+//! use kerchief::*;
+//!
+//! const UNITS: Units = Units::sheet([16, 16], [0.3, 0.3], 1e-4, 1.0 / 60.0, 8); // particles, m, kg, s, substeps
+//!
+//! let mut cloth = Cloth::<Q24, 16, 16>::hang(&UNITS, UNITS.point([0.0, 0.0, 0.3]));
+//! cloth.pin(Node::new(0, 0));
+//! cloth.pin(Node::new(15, 0));
+//! let gravity = Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81]));
+//! let links = (Stretch::new(&UNITS, UNITS.stiffness(100.0)), Shear::new(&UNITS, UNITS.stiffness(1.0)));
+//! let scene = Scene::new(&UNITS, gravity, links, (), Lines::new());
+//! let mut memory = scene.memory();
+//! for _frame in 0..60 {
+//!     scene.step(&mut cloth, &mut memory);
+//! }
+//! assert!(measure::strain(&cloth, &scene.links.0).largest.to_f64() < 0.02);
+//! ```
+//!
+//! Another number type is another name in `Cloth::<Q24, …>`; another solver is another last argument; a wind is one more member of a tuple.
+//!
+//! # In which order to read
+//!
+//! Each room uses only those above it.
+//!
+//! | room | what it holds |
+//! |---|---|
+//! | [`scalar`] | numbers: `f32`, `f64`, fixed point |
+//! | [`vec3`], [`grid`] | vectors, and values on a grid |
+//! | [`units`] | cells, ticks and particle masses; the way in from SI |
+//! | [`moment`] | where in a frame a solver is |
+//! | [`cloth`] | the state of a sheet |
+//! | [`force`], [`link`], [`collider`] | what acts on it |
+//! | [`solver`] | the ways to move it |
+//! | [`scene`] | the description, and the step |
+//! | [`measure`] | strain, energy, momentum, digest |
+//! | `render` | drawing on any `embedded-graphics` display (feature `graphics`) |
+//! | `host` | scene files, for programs on a host (feature `std`) |
+//!
+//! # Guarantees
+//!
+//! A step cannot fail. The same scene gives the same bits on every target, for every number type: only `+ − × ÷` and the square root are used, each
+//! rounded once, in one order. There is no unsafe code.
 #![no_std]
 
 #[cfg(feature = "std")]
@@ -35,3 +83,7 @@ pub use scene::Scene;
 pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Solver, Verlet, Xpbd};
 pub use units::{Point, Units};
 pub use vec3::Vec3;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

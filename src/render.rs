@@ -1,10 +1,55 @@
 //! Drawing a sheet on any `embedded-graphics` display.
+//!
+//! Pictures are computed in the sheet's own number type, without a float routine for fixed point and without an allocation, so that
+//! every board draws the same. A [`View`], evaluated when firmware is compiled, says where one looks from; a [`Camera`] holds it while
+//! the program runs. Then there are two ways to draw:
+//!
+//! * [`Wireframe`] draws the links. It needs no memory.
+//! * [`Shaded`] draws lit faces, with a [`Pattern`] on each side, [`Solids`] that the sheet lies on or hangs before, and a [`Ground`]
+//!   that may catch a soft [`Shadow`]. It needs 4 bytes per particle to put the faces in order, and the shadow its map.
+//!
+//! What isn't named isn't there: a [`Look`] of a plain sheet has no ball, no ground and no shadow, and links no code for them. A
+//! [`Canvas`] sends only what changed to the display.
+//!
+//! Colours are [tones](Shade) of 8 bits per channel until they reach the display: the same program draws in 24 and 16 bits, on gray
+//! displays and, as patterns of dots, in black and white.
+//!
+//! ```
+//! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
+//! use kerchief::render::{Ball, Camera, Ground, Light, Look, Shaded, Shadow, View};
+//! use kerchief::render::pattern::{Border, CELL, Gingham};
+//! use kerchief::{Cloth, Q24, Units};
+//!
+//! const UNITS: Units = Units::sheet([16, 16], [0.3, 0.3], 1e-3, 1.0 / 60.0, 8);
+//! const SCREEN: Size = Size::new(64, 64);
+//! const VIEW: View = View::new(-25.0, 22.0).fit(UNITS.point([-0.2, -0.2, -0.1]), UNITS.point([0.2, 0.2, 0.1]), SCREEN);
+//! const RED: Rgb888 = Rgb888::new(178, 34, 38);
+//! const CREAM: Rgb888 = Rgb888::new(250, 240, 226);
+//! const KERCHIEF: Border<Gingham> = Border { width: CELL, tone: RED, inner: Gingham { width: CELL, tones: [CREAM, RED] } };
+//!
+//! let cloth = Cloth::<Q24, 16, 16>::lay(&UNITS, UNITS.point([-0.15, -0.15, 0.11]));
+//! let ball = Ball::new(UNITS.point([0.0; 3]), UNITS.length(0.1), Rgb888::new(70, 110, 140));
+//! let ground = Ground::new(UNITS.point([0.0, 0.0, -0.1]), UNITS.length(0.6)).shadow(Shadow::<32>::new(Rgb888::new(128, 118, 112)));
+//! let look = Look::new(Light::new(-60.0, 50.0), KERCHIEF).solids(ball).backdrop(ground);
+//!
+//! let mut shaded = Shaded::new(look);
+//! let mut camera = Camera::new(&VIEW, SCREEN);
+//! let mut display = MockDisplay::<Rgb565>::new();
+//! # display.set_allow_overdraw(true);
+//! shaded.draw(&cloth, &camera, &mut display)?;
+//! // The ball moves, the eye goes round
+//! shaded.look.solids.centre = UNITS.point([0.01, 0.0, 0.0]).to_vec();
+//! camera.orbit(Q24::from_bits(1 << 18), Q24::from_bits(0));
+//! shaded.draw(&cloth, &camera, &mut display)?;
+//! # Ok::<(), core::convert::Infallible>(())
+//! ```
 
 pub mod camera;
 pub mod canvas;
 mod fill;
 pub mod ground;
 pub mod light;
+pub mod look;
 pub mod pattern;
 pub mod shaded;
 pub mod shadow;
@@ -17,9 +62,10 @@ pub mod wireframe;
 pub use camera::Camera;
 pub use canvas::{Canvas, Dirty};
 pub use ground::{Backdrop, Ground};
-pub use light::Light;
+pub use light::{Finish, Light};
+pub use look::Look;
 pub use pattern::Pattern;
-pub use shaded::{Look, Shaded};
+pub use shaded::Shaded;
 pub use shadow::Shadow;
 pub use solid::{Ball, Rod, Solids};
 pub use tone::{Shade, Toned};

@@ -5,6 +5,8 @@ mod args;
 mod pictures;
 mod report;
 mod staging;
+#[path = "../studio/mod.rs"]
+mod studio;
 #[cfg(feature = "window")]
 mod window;
 

@@ -88,7 +88,7 @@ impl<D: DrawTarget> Dirty<D> {
 }
 
 /// The box around two boxes, either of which may be empty.
-fn union(a: &Rectangle, b: &Rectangle) -> Rectangle {
+pub(super) fn union(a: &Rectangle, b: &Rectangle) -> Rectangle {
     match (a.bottom_right(), b.bottom_right()) {
         (Some(end_a), Some(end_b)) => {
             Rectangle::with_corners(a.top_left.component_min(b.top_left), end_a.component_max(end_b))

@@ -141,7 +141,7 @@ impl<S: Scalar, M: Cast> Backdrop<S> for Ground<M> {
             let stretch = Rectangle::new(Point::new(area.top_left.x, row), Size::new(area.size.width, 1));
             // further away than 64 times its height the eye sees none
             if eye.z <= S::ZERO || -ray.z <= eye.z.halve(6) {
-                target.fill_solid(&stretch, background)?;
+                target.fill_contiguous(&stretch, core::iter::repeat_n(background, area.size.width as usize))?;
                 continue;
             }
             let depth = eye.z.divide(-ray.z);
@@ -160,5 +160,117 @@ impl<S: Scalar, M: Cast> Backdrop<S> for Ground<M> {
             target.fill_contiguous(&stretch, tones)?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::draw_target::DrawTargetExt;
+    use embedded_graphics::mock_display::MockDisplay;
+    use embedded_graphics::pixelcolor::RgbColor;
+
+    use super::*;
+    use crate::render::{Shadow, View};
+    use crate::scalar::Q24;
+    use crate::units::Units;
+
+    const SCREEN: Size = Size::new(32, 20);
+
+    /// Colours that stay as they are where nothing fades: the middle of the picture.
+    fn ground() -> Ground {
+        let blue = [Rgb888::BLUE; 2];
+        Ground::new(Place([0.0; 3]), Length(100.0)).tiles(Length(4.0)).tones([Rgb888::WHITE, Rgb888::BLACK], blue)
+    }
+
+    fn picture<S: Scalar>(backdrop: &impl Backdrop<S>, view: &View) -> MockDisplay<Rgb888> {
+        let mut display = MockDisplay::new();
+        let mut screen = display.cropped(&Rectangle::new(Point::zero(), SCREEN));
+        backdrop.draw(&Camera::new(view, SCREEN), &mut screen).unwrap();
+        display
+    }
+
+    #[test]
+    fn tiles_lie_where_the_camera_sees_them() {
+        fn check<S: Scalar>() {
+            let view = View::new(30.0, 35.0).at(Place([1.0, 2.0, 0.0]), Length(30.0));
+            let display = picture::<S>(&ground(), &view);
+            let camera = Camera::<S>::new(&view, SCREEN);
+            let mut seen = 0;
+            for column in -3..=3 {
+                for row in -3..=3 {
+                    let middle = Vec3::new(S::from_int(4 * column), S::from_int(4 * row), S::ZERO);
+                    let pixel = camera.project(middle).unwrap();
+                    if !Rectangle::new(Point::zero(), SCREEN).contains(pixel) {
+                        continue;
+                    }
+                    let tone = display.get_pixel(pixel).unwrap();
+                    let is_white = tone.r() > 128;
+                    assert_eq!(is_white, (column + row) % 2 == 0, "{} {column} {row}: {tone:?}", S::NAME);
+                    seen += 1;
+                }
+            }
+            assert!(seen >= 6);
+        }
+        check::<f64>();
+        check::<f32>();
+        check::<Q24>();
+    }
+
+    #[test]
+    fn above_the_horizon_and_below_the_ground_is_background() {
+        let level = View::new(30.0, 0.0).at(Place([0.0, 0.0, 10.0]), Length(30.0));
+        let display = picture::<Q24>(&ground(), &level);
+        for x in 0..32 {
+            assert_eq!(display.get_pixel(Point::new(x, 9)), Some(Rgb888::BLUE));
+        }
+        assert_ne!(display.get_pixel(Point::new(16, 19)), Some(Rgb888::BLUE));
+        let below = View::new(30.0, 20.0).at(Place([0.0, 0.0, -30.0]), Length(30.0));
+        let display = picture::<Q24>(&ground(), &below);
+        assert!(display.affected_area().size == SCREEN);
+        assert_eq!(display.get_pixel(Point::new(16, 19)), Some(Rgb888::BLUE));
+    }
+
+    #[test]
+    fn it_fades_away() {
+        let view = View::new(0.0, 90.0).at(Place([0.0; 3]), Length(50.0));
+        let plain = ground().tones([Rgb888::WHITE; 2], [Rgb888::BLUE; 2]);
+        let plain = Ground { reach: 10.0, tile: 1.0, ..plain };
+        let display = picture::<Q24>(&plain, &view);
+        let red = |x| display.get_pixel(Point::new(x, 10)).unwrap().r();
+        assert!(red(16) > 245 && red(16) > red(19) && red(19) > red(22));
+        assert_eq!(red(31), 0);
+    }
+
+    #[test]
+    fn a_part_of_the_target_is_drawn_as_in_the_whole() {
+        let view = View::new(30.0, 35.0).at(Place([1.0, 2.0, 0.0]), Length(30.0));
+        let whole = picture::<Q24>(&ground(), &view);
+        let part = Rectangle::new(Point::new(5, 6), Size::new(9, 8));
+        let mut display = MockDisplay::<Rgb888>::new();
+        let camera = Camera::<Q24>::new(&view, SCREEN);
+        ground().draw(&camera, &mut display.clipped(&part)).unwrap();
+        assert_eq!(display.affected_area(), part);
+        for at in embedded_graphics::primitives::PointsIter::points(&part) {
+            assert_eq!(display.get_pixel(at), whole.get_pixel(at));
+        }
+    }
+
+    #[test]
+    fn the_shadow_is_below_a_sheet_under_a_lamp_overhead() {
+        const UNITS: Units = Units::sheet([4, 4], [6.0, 6.0], 1.0, 0.1, 1);
+        let cloth = Cloth::<Q24, 4, 4>::lay(&UNITS, UNITS.point([-3.0, -3.0, 8.0]));
+        let view = View::new(0.0, 60.0).at(Place([0.0; 3]), Length(40.0));
+        let plain = ground().tones([Rgb888::WHITE; 2], [Rgb888::WHITE; 2]);
+        let plain = Ground { reach: 20.0, ..plain };
+        let mut ground = plain.shadow(Shadow::<64>::new(Rgb888::BLACK).soften(0));
+        let before = picture::<Q24>(&ground, &view);
+        Backdrop::<Q24>::prepare(&mut ground, &cloth, &(), &Light::new(0.0, 90.0));
+        let after = picture::<Q24>(&ground, &view);
+        let camera = Camera::<Q24>::new(&view, SCREEN);
+        let pixel = camera.project(Vec3::ZERO).unwrap();
+        assert_eq!(before.get_pixel(pixel), Some(Rgb888::WHITE));
+        assert!(after.get_pixel(pixel).unwrap().r() < 10);
+        let beside = camera.project(Vec3::from_f64([5.0, 0.0, 0.0])).unwrap();
+        assert_eq!(after.get_pixel(beside), Some(Rgb888::WHITE));
     }
 }

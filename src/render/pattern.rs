@@ -137,7 +137,8 @@ impl<P: Pattern> Pattern for Border<P> {
 }
 
 /// Whether a place lies in a band of the second colour, one of which is centred on the extent.
-const fn is_band(place: i32, extent: i32, width: i32) -> bool {
+fn is_band(place: i32, extent: i32, width: i32) -> bool {
+    let width = width.max(1);
     (place - extent / 2 + width / 2).div_euclid(width) % 2 == 0
 }
 

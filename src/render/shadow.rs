@@ -58,7 +58,7 @@ impl Cast for () {
 
 /// A soft shadow: a map of `N × N` places of the ground, blurred and interpolated.
 ///
-/// Memory: N² bytes and 12 more. `N` up to 256.
+/// Memory: N² bytes and 8 more. `N` up to 256.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shadow<const N: usize> {
     /// The ground's tone where no light from the lamp arrives.
@@ -204,5 +204,99 @@ impl<const N: usize> DrawTarget for Map<'_, N> {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::{Ball, Rod};
+    use crate::scalar::Q24;
+    use crate::units::{Length, Point as Spot, Units};
+
+    const UNITS: Units = Units::sheet([4, 4], [3.0, 3.0], 1.0, 0.1, 1);
+
+    fn field<S: Scalar>(towards: [f64; 3]) -> Field<S> {
+        Field {
+            centre: Vec3::ZERO,
+            reach: S::from_f64(16.0),
+            towards: crate::render::light::unit(Vec3::from_f64(towards)),
+        }
+    }
+
+    /// How many places are covered, and where their middle is, cells.
+    fn middle<const N: usize>(shadow: &Shadow<N>) -> (f64, f64, f64) {
+        let mut sum = (0.0, 0.0, 0.0);
+        for (row, line) in shadow.cover.iter().enumerate() {
+            for (column, &cover) in line.iter().enumerate() {
+                let place = |k: usize| ((k as f64 + 0.5) / N as f64 - 0.5) * 32.0;
+                let cover = f64::from(cover) / 255.0;
+                sum = (sum.0 + cover, sum.1 + cover * place(column), sum.2 + cover * place(row));
+            }
+        }
+        (sum.0, sum.1 / sum.0, sum.2 / sum.0)
+    }
+
+    fn cast<S: Scalar, O: Solids<S>, const N: usize>(solids: &O, height: f64, softness: u32) -> Shadow<N> {
+        let mut shadow = Shadow::new(Rgb888::new(0, 0, 0)).soften(softness);
+        let cloth = Cloth::<S, 4, 4>::lay(&UNITS, Spot([-1.5, -1.5, height]));
+        shadow.cast(&cloth, solids, &field([-1.0, 0.5, 2.0]));
+        shadow
+    }
+
+    #[test]
+    fn a_sheets_shadow_lies_along_the_light_and_has_its_area() {
+        fn check<S: Scalar, const N: usize>() {
+            for softness in [0, 3] {
+                let (count, x, y) = middle(&cast::<S, (), N>(&(), 6.0, softness));
+                let expected = 9.0 * (N as f64 / 32.0) * (N as f64 / 32.0);
+                assert!((count - expected).abs() < 0.05 * expected, "{} {N}: {count}", S::NAME);
+                assert!((x - 3.0).abs() < 0.03 && (y + 1.5).abs() < 0.03, "{} {N}: {x} {y}", S::NAME);
+            }
+        }
+        check::<f64, 128>();
+        check::<f32, 256>();
+        check::<Q24, 128>();
+        check::<Q24, 256>();
+    }
+
+    #[test]
+    fn solids_cast_shadows_too() {
+        fn check<S: Scalar>() {
+            let ball = Ball::new(Spot([0.0, 0.0, 4.0]), Length(2.0), Rgb888::new(0, 0, 0));
+            // the sheet is inside the ball, whose shadow is an ellipse of area πr²/l_z
+            let (count, x, y) = middle(&cast::<S, _, 128>(&ball, 4.0, 0));
+            let expected = core::f64::consts::PI * 4.0 / (2.0 / libm::sqrt(5.25)) * 16.0;
+            assert!((count - expected).abs() < 0.02 * expected, "{}: {count} {expected}", S::NAME);
+            assert!((x - 2.0).abs() < 0.03 && (y + 1.0).abs() < 0.03, "{}: {x} {y}", S::NAME);
+            let rod = Rod::new(Spot([-8.0, 0.0, 1.0]), Spot([8.0, 0.0, 1.0]), Length(0.5), Rgb888::new(0, 0, 0));
+            let (longer, ..) = middle(&cast::<S, _, 128>(&(ball, rod), 4.0, 0));
+            assert!(longer > count + 100.0);
+        }
+        check::<f64>();
+        check::<f32>();
+        check::<Q24>();
+    }
+
+    #[test]
+    fn a_lamp_below_the_ground_casts_none() {
+        let mut shadow = cast::<Q24, (), 16>(&(), 6.0, 1);
+        assert_ne!(shadow.cover, [[0; 16]; 16]);
+        shadow.cast(&Cloth::<Q24, 4, 4>::lay(&UNITS, Spot([0.0; 3])), &(), &field([0.3, 0.3, -1.0]));
+        assert_eq!(shadow.cover, [[0; 16]; 16]);
+    }
+
+    #[test]
+    fn tones_between_places_are_interpolated() {
+        let mut shadow = Shadow::<2>::new(Rgb888::new(0, 0, 0));
+        shadow.cover = [[0, 255], [0, 255]];
+        let luma = |x: f64| Gray8::from(shadow.darken(Rgb888::new(200, 200, 200), x, 0.0)).luma();
+        assert_eq!([luma(-0.5), luma(0.0), luma(0.5)], [200, 101, 0]);
+        assert_eq!(luma(1.0), 101, "half a place beyond the last");
+    }
+
+    #[test]
+    fn memory_is_as_documented() {
+        assert_eq!(size_of::<Shadow<32>>(), 32 * 32 + 8);
     }
 }

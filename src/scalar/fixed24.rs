@@ -132,10 +132,10 @@ fn inverse_root_wide(x: u64) -> (u32, i32) {
     (inverse_root(m as u32), -half)
 }
 
-/// `squares/L²`, near one, with 48 fraction bits; it saturates at 2¹⁵, that is 181 rest lengths, where an elongation is 0.9945.
+/// `squares/L²` by 1/L², near one, with 48 fraction bits; it saturates at 2¹⁵, that is 181 rest lengths, where an elongation is 0.9945.
 #[inline]
-fn ratio(squares: i64, rest: &Rest<Q24>) -> u64 {
-    let (squares, inverse) = (squares as u64, rest.inverse_square.to_bits() as u64);
+fn ratio(squares: i64, inverse_square: Q24) -> u64 {
+    let (squares, inverse) = (squares as u64, inverse_square.to_bits() as u64);
     if squares < 1 << 54 {
         // the product needs up to 86 bits: its upper and its lower part apart
         ((squares >> FRACTION) * inverse + (((squares & 0xff_ffff) * inverse) >> FRACTION)).max(1)
@@ -260,7 +260,7 @@ impl Scalar for Q24 {
         if squares <= 0 {
             return Self::ZERO;
         }
-        saturate((1 << FRACTION) - inverse_stretch(ratio(squares, rest)))
+        saturate((1 << FRACTION) - inverse_stretch(ratio(squares, rest.inverse_square)))
     }
 
     #[inline]
@@ -268,7 +268,7 @@ impl Scalar for Q24 {
         if squares <= 0 {
             return (-rest.length, Self::ZERO);
         }
-        let inverse = saturate(inverse_stretch(ratio(squares, rest)));
+        let inverse = saturate(inverse_stretch(ratio(squares, rest.inverse_square)));
         (Self::root(squares) - rest.length, inverse * (rest.length * rest.inverse_square))
     }
 

@@ -86,7 +86,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
                 act(a, b, &mut tension[a]);
             }),
             Some([tension, ..]) if ACROSS == 0 || DOWN == 0 => {
-                each::<ACROSS, DOWN, W, H>(|a, b| act(a, b, &mut tension[a]))
+                each::<ACROSS, DOWN, W, H>(|a, b| act(a, b, &mut tension[a]));
             }
             _ => {}
         }
@@ -146,7 +146,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
                 relax(a, b, &mut tension[a]);
             }),
             Some([tension, ..]) if ACROSS == 0 || DOWN == 0 => {
-                each::<ACROSS, DOWN, W, H>(|a, b| relax(a, b, &mut tension[a]))
+                each::<ACROSS, DOWN, W, H>(|a, b| relax(a, b, &mut tension[a]));
             }
             // without a memory a second time would count twice
             _ if self.sweep == 0 => each::<ACROSS, DOWN, W, H>(|a, b| relax(a, b, &mut { S::ZERO })),

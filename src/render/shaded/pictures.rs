@@ -1,0 +1,271 @@
+//! What is drawn, as text.
+
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::mock_display::MockDisplay;
+use embedded_graphics::pixelcolor::RgbColor;
+
+use super::*;
+use crate::render::{Ball, Light, View};
+use crate::scalar::Q24;
+use crate::units::{Length, Point as Spot, Units};
+
+const UNITS: Units = Units::sheet([5, 5], [4.0, 4.0], 1.0, 0.1, 1);
+const SCREEN: Size = Size::new(24, 24);
+/// Colours stay as they are.
+const EVEN: Light = Light { lamp: Rgb888::BLACK, sky: Rgb888::WHITE, ground: Rgb888::WHITE, ..Light::new(0.0, 45.0) };
+
+type Sheet<S> = Cloth<S, 5, 5>;
+
+fn laid<S: Scalar>() -> Sheet<S> {
+    Cloth::lay(&UNITS, UNITS.point([-2.0, -2.0, 0.0]))
+}
+
+fn hung<S: Scalar>() -> Sheet<S> {
+    Cloth::hang(&UNITS, UNITS.point([-2.0, 0.0, 2.0]))
+}
+
+fn two_sided() -> Look<Rgb888, Rgb888> {
+    Look::new(EVEN, Rgb888::RED).back(Rgb888::BLUE)
+}
+
+fn picture<S: Scalar, O: Solids<S>>(
+    cloth: &Sheet<S>,
+    look: Look<Rgb888, Rgb888, O>,
+    view: &View,
+) -> MockDisplay<Rgb888> {
+    let mut display = MockDisplay::new();
+    display.set_allow_overdraw(true);
+    Shaded::new(look).draw(cloth, &Camera::new(view, SCREEN), &mut display).unwrap();
+    display
+}
+
+#[test]
+fn a_laid_sheet_shows_its_front_upwards() {
+    let view = View::new(0.0, 90.0).at(Spot([0.0; 3]), Length(15.0));
+    picture(&laid::<Q24>(), two_sided(), &view).assert_pattern(&[
+        "                  ",
+        "                  ",
+        "                  ",
+        "                  ",
+        "                  ",
+        "                  ",
+        "      RRRRRRRRRRRR",
+        "      RRRRRRRRRRRR",
+        "      RRRRRRRRRRRR",
+        "      RRRRRRRRRRRR",
+        "      RRRRRRRRRRRR",
+        "      RRRRRRRRRRRR",
+        "      RRRRRRRRRRRR",
+        "      RRRRRRRRRRRR",
+        "      RRRRRRRRRRRR",
+        "      RRRRRRRRRRRR",
+        "      RRRRRRRRRRRR",
+        "      RRRRRRRRRRRR",
+    ]);
+    let below = View::new(0.0, -90.0).at(Spot([0.0; 3]), Length(15.0));
+    let display = picture(&laid::<Q24>(), two_sided(), &below);
+    assert_eq!(display.get_pixel(Point::new(12, 12)), Some(Rgb888::BLUE));
+}
+
+#[test]
+fn a_sheet_alone_covers_each_pixel_once() {
+    let mut display = MockDisplay::<Rgb888>::new();
+    let camera = Camera::new(&View::new(25.0, 40.0).at(Spot([0.0; 3]), Length(12.0)), SCREEN);
+    Shaded::new(two_sided()).draw(&laid::<f32>(), &camera, &mut display).unwrap();
+    display.assert_pattern(&[
+        "                     ",
+        "                     ",
+        "                     ",
+        "                     ",
+        "                     ",
+        "                     ",
+        "                     ",
+        "        RRRRR        ",
+        "       RRRRRRRRR     ",
+        "      RRRRRRRRRRRRRR ",
+        "     RRRRRRRRRRRRRRRR",
+        "    RRRRRRRRRRRRRRRR ",
+        "   RRRRRRRRRRRRRRRRR ",
+        "  RRRRRRRRRRRRRRRRR  ",
+        "  RRRRRRRRRRRRRRRRR  ",
+        "    RRRRRRRRRRRRRR   ",
+        "       RRRRRRRRRRR   ",
+        "          RRRRRRR    ",
+        "             RRRR    ",
+    ]);
+}
+
+#[test]
+fn a_sheet_folded_over_shows_both_sides_and_hides_what_is_behind() {
+    fn check<S: Scalar>(view: &View) -> MockDisplay<Rgb888> {
+        // the last two rows turn back towards the viewer and hang lower
+        let mut cloth = hung::<S>();
+        for node in Grid::<S, 5, 5>::nodes() {
+            let folded = [[0.0, 0.0], [0.0, 1.0], [0.0, 2.0], [-1.0, 1.5], [-1.4, 0.5]][node.row];
+            cloth.position[node] = Vec3::from_f64([node.column as f64 - 2.0, folded[0], folded[1]]);
+        }
+        picture(&cloth, two_sided(), view)
+    }
+    let view = View::new(20.0, 10.0).at(Spot([0.0, -0.5, 1.0]), Length(12.0));
+    check::<f64>(&view).assert_pattern(&[
+        "                    ",
+        "                    ",
+        "                    ",
+        "                    ",
+        "                    ",
+        "                    ",
+        "                    ",
+        "                    ",
+        "      BBBBBBBBBBBBBB",
+        "     BBBBBBBBBBBBBBB",
+        "    BBBBBBBBBBBBBBBR",
+        "    BBBBBBBBBBBBBBBR",
+        "    BBBBBBBBBBBBBBBR",
+        "    BBBBBBBBBBBBBBBR",
+        "      RRRRBBBBBBBBBR",
+        "                RRRR",
+    ]);
+    check::<f32>(&view).assert_eq(&check::<f64>(&view));
+    check::<Q24>(&view).assert_eq(&check::<f64>(&view));
+}
+
+#[test]
+fn a_ball_in_front_covers_the_sheet() {
+    let view = View::new(0.0, 0.0).at(Spot([0.0; 3]), Length(12.0));
+    let ball = Ball::<Q24>::new(Spot([1.0, -1.5, 0.0]), Length(1.2), Rgb888::GREEN);
+    picture(&hung::<Q24>(), two_sided().solids(ball), &view).assert_pattern(&[
+        "                     ",
+        "                     ",
+        "                     ",
+        "                     ",
+        "                     ",
+        "     BBBBBBBBBBBBBB  ",
+        "     BBBBBBBBBBBBBB  ",
+        "     BBBBBBBBBGGGGG  ",
+        "     BBBBBBBBGGGGGGG ",
+        "     BBBBBBBGGGGGGGGG",
+        "     BBBBBBGGGGGGGGGG",
+        "     BBBBBBGGGGGGGGGG",
+        "     BBBBBBGGGGGGGGGG",
+        "     BBBBBBGGGGGGGGGG",
+        "     BBBBBBBGGGGGGGGG",
+        "     BBBBBBBBGGGGGGG ",
+        "     BBBBBBBBBGGGGG  ",
+        "     BBBBBBBBBBBBBB  ",
+        "     BBBBBBBBBBBBBB  ",
+    ]);
+}
+
+#[test]
+fn a_ball_behind_is_covered_by_the_sheet() {
+    let view = View::new(0.0, 0.0).at(Spot([0.0; 3]), Length(12.0));
+    let ball = Ball::<Q24>::new(Spot([2.2, 1.5, 0.0]), Length(1.2), Rgb888::GREEN);
+    picture(&hung::<Q24>(), two_sided().solids(ball), &view).assert_pattern(&[
+        "                       ",
+        "                       ",
+        "                       ",
+        "                       ",
+        "                       ",
+        "     BBBBBBBBBBBBBB    ",
+        "     BBBBBBBBBBBBBB    ",
+        "     BBBBBBBBBBBBBB    ",
+        "     BBBBBBBBBBBBBBGG  ",
+        "     BBBBBBBBBBBBBBGGGG",
+        "     BBBBBBBBBBBBBBGGGG",
+        "     BBBBBBBBBBBBBBGGGG",
+        "     BBBBBBBBBBBBBBGGGG",
+        "     BBBBBBBBBBBBBBGGGG",
+        "     BBBBBBBBBBBBBBGGGG",
+        "     BBBBBBBBBBBBBBGG  ",
+        "     BBBBBBBBBBBBBB    ",
+        "     BBBBBBBBBBBBBB    ",
+        "     BBBBBBBBBBBBBB    ",
+    ]);
+}
+
+#[test]
+fn a_sheet_around_a_ball_is_drawn_before_and_after_it() {
+    // a band around the ball, open to the right
+    let mut cloth = hung::<Q24>();
+    for node in Grid::<Q24, 5, 5>::nodes() {
+        let angle = 0.6 + 5.0 * node.column as f64 / 4.0;
+        let z = 0.6 - 0.3 * node.row as f64;
+        cloth.position[node] = Vec3::from_f64([2.4 * libm::cos(angle), 2.4 * libm::sin(angle), z]);
+    }
+    let view = View::new(0.0, 30.0).at(Spot([0.0; 3]), Length(12.0));
+    let ball = Ball::<Q24>::new(Spot([0.0; 3]), Length(1.5), Rgb888::GREEN);
+    picture(&cloth, two_sided().solids(ball), &view).assert_pattern(&[
+        "                    ",
+        "                    ",
+        "                    ",
+        "                    ",
+        "                    ",
+        "                    ",
+        "           GG       ",
+        "        RGGGGGGRR   ",
+        "      RRGGGGGGGGRRR ",
+        "    RRRGGGGGGGGGGRR ",
+        "   BRRRGGGGGGGGGGRR ",
+        "   BBRGGGGGGGGGGGG  ",
+        "   BBBGGGGGGGGGGGG  ",
+        "   BBBBGGGGGGGGGGBBB",
+        "    BBBBGGBBBBBBBBBB",
+        "     BBBBBBBBBBBBBBB",
+        "      BBBBBBBBBBBBBB",
+        "       BBBBBBBBBBB  ",
+        "        BBBB        ",
+    ]);
+}
+
+#[test]
+fn of_several_solids_the_nearest_is_drawn_last() {
+    let view = View::new(0.0, 0.0).at(Spot([0.0; 3]), Length(12.0));
+    let ball = |y, tone| Ball::<Q24>::new(Spot([0.0, y, 0.0]), Length(1.0), tone);
+    let solids = (ball(-2.0, Rgb888::GREEN), [ball(2.0, Rgb888::CYAN), ball(-4.0, Rgb888::YELLOW)]);
+    let display = picture(&hung::<Q24>(), two_sided().solids(solids), &view);
+    assert_eq!(display.get_pixel(Point::new(12, 12)), Some(Rgb888::YELLOW));
+    let solids = (ball(3.0, Rgb888::GREEN), [ball(2.0, Rgb888::CYAN), ball(4.0, Rgb888::YELLOW)]);
+    let display = picture(&hung::<Q24>(), two_sided().solids(solids), &view);
+    assert_eq!(display.get_pixel(Point::new(12, 12)), Some(Rgb888::BLUE), "all of them are behind the sheet");
+}
+
+#[test]
+fn nothing_behind_the_camera_is_drawn() {
+    let behind = View::new(0.0, 0.0).at(Spot([0.0, 20.0, 0.0]), Length(10.0));
+    let ball = Ball::<Q24>::new(Spot([0.0; 3]), Length(1.0), Rgb888::GREEN);
+    let display = picture(&hung::<Q24>(), two_sided().solids(ball), &behind);
+    assert_eq!(display.affected_area(), Rectangle::zero());
+}
+
+#[test]
+fn smooth_cells_have_the_outline_of_a_flat_sheet() {
+    let view = View::new(25.0, 40.0).at(Spot([0.0; 3]), Length(12.0));
+    let camera = Camera::new(&view, SCREEN);
+    let mut display = MockDisplay::<Rgb888>::new();
+    Shaded::new(two_sided()).smooth::<3>().draw(&laid::<f64>(), &camera, &mut display).unwrap();
+    display.assert_eq(&picture(&laid::<f64>(), two_sided(), &view));
+}
+
+#[test]
+fn an_error_of_the_display_is_reported() {
+    struct Broken;
+    impl embedded_graphics::geometry::OriginDimensions for Broken {
+        fn size(&self) -> Size {
+            SCREEN
+        }
+    }
+    impl DrawTarget for Broken {
+        type Color = Rgb888;
+        type Error = &'static str;
+        fn draw_iter<I>(&mut self, _: I) -> Result<(), Self::Error> {
+            Err("broken")
+        }
+    }
+    let camera = Camera::new(&View::new(0.0, 0.0), SCREEN);
+    assert_eq!(Shaded::new(two_sided()).draw(&hung::<f32>(), &camera, &mut Broken), Err("broken"));
+}
+
+#[test]
+fn memory_is_as_documented() {
+    assert_eq!(size_of::<Shaded<(), 16, 16>>(), 4 * 256);
+}

@@ -1,0 +1,131 @@
+//! An outsider's solver: semi-implicit Euler, `v' = v + h·a(x)`, `x' = x + h·v'`.
+
+use kerchief::force::{Force, Row};
+use kerchief::link::{Family, Links, Visitor, each};
+use kerchief::solver::Physics;
+use kerchief::{
+    Cloth, Collider, Gravity, Grid, Leapfrog, Moment, Node, Scalar, Scene, Solver, Sphere, Stretch, Units, Vec3,
+    measure,
+};
+
+#[derive(Clone, Copy)]
+struct SemiImplicitEuler;
+
+impl<S: Scalar> Solver<S> for SemiImplicitEuler {
+    /// The velocities that particles of mass 1 gain.
+    type Memory<const W: usize, const H: usize> = Grid<Vec3<S>, W, H>;
+
+    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+        Grid::filled(Vec3::ZERO)
+    }
+
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        gain: &mut Self::Memory<W, H>,
+        moment: Moment,
+    ) {
+        *gain = Grid::filled(Vec3::ZERO);
+        for (row, gain) in gain.0.iter_mut().enumerate() {
+            let (position, velocity) = (&cloth.position.0[row], &cloth.velocity.0[row]);
+            physics.forces.particles(Row { position, velocity }, gain);
+        }
+        physics.links.springs(&mut Pull { cloth, gain, moment });
+        for node in Grid::<S, W, H>::nodes() {
+            if !cloth.is_pinned(node) {
+                cloth.velocity[node] += gain[node] * cloth.inverse_mass[node] + physics.forces.uniform();
+                cloth.position[node] += moment.displacement(cloth.velocity[node]);
+                let moved = moment.displacement(cloth.velocity[node]);
+                if let Some(by) = physics.colliders.contact(moment, cloth.position[node], moved) {
+                    cloth.displace(node, by, moment);
+                }
+            }
+        }
+    }
+}
+
+struct Pull<'a, S, const W: usize, const H: usize> {
+    cloth: &'a Cloth<S, W, H>,
+    gain: &'a mut Grid<Vec3<S>, W, H>,
+    moment: Moment,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Pull<'_, S, W, H> {
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        each::<ACROSS, DOWN, W, H>(|a, b| {
+            let d = self.cloth.position[b] - self.cloth.position[a];
+            let pull = d * (S::elongation(d.squared(), &family.rest) * family.strength.value());
+            self.gain[a] += self.moment.velocity(pull);
+            self.gain[b] -= self.moment.velocity(pull);
+        });
+    }
+}
+
+fn units(substeps: u32) -> Units {
+    Units::sheet([5, 5], [0.4, 0.4], 1e-3, 0.02, substeps)
+}
+
+fn gravity(units: &Units) -> Gravity<f64> {
+    Gravity::new(units.acceleration([0.0, 0.0, -9.81]))
+}
+
+/// After n steps of free fall `x = −g·h²·n·(n+1)/2`.
+#[test]
+fn a_solver_of_ones_own_falls_as_its_equation_says() {
+    let units = units(4);
+    let mut cloth = Cloth::<f64, 5, 5>::lay(&units, units.point([0.0; 3]));
+    let stretch = Stretch::new(&units, units.stiffness(20.0));
+    let scene = Scene::new(&units, gravity(&units), stretch, (), SemiImplicitEuler);
+    let mut memory = scene.memory();
+    for frame in 1..=25 {
+        scene.step(&mut cloth, &mut memory);
+        let (n, h) = (f64::from(4 * frame), units.substep());
+        let expected = -9.81 * h * h * n * (n + 1.0) / 2.0;
+        for bound in measure::bounds(&cloth) {
+            assert!((bound.z * units.cell - expected).abs() < 1e-13, "frame {frame}: {bound:?}");
+        }
+    }
+}
+
+/// Where the free corner of a sheet that hangs by another is after half a second, cells.
+fn swing<V: Solver<f64>>(solver: V, substeps: u32) -> Vec3<f64> {
+    let units = units(substeps);
+    let mut cloth = Cloth::<f64, 5, 5>::lay(&units, units.point([0.0; 3]));
+    cloth.pin(Node::new(0, 0));
+    let stretch = Stretch::new(&units, units.stiffness(20.0));
+    let scene = Scene::new(&units, gravity(&units), stretch, (), solver);
+    let mut memory = scene.memory();
+    (0..25).for_each(|_| scene.step(&mut cloth, &mut memory));
+    cloth.position[Node::new(4, 4)]
+}
+
+#[test]
+fn a_solver_of_ones_own_converges_in_first_order() {
+    let exact = swing(Leapfrog, 1024);
+    let errors = [64, 128, 256].map(|substeps| (swing(SemiImplicitEuler, substeps) - exact).length());
+    for pair in errors.windows(2) {
+        let ratio = pair[0] / pair[1];
+        assert!((1.7..2.3).contains(&ratio), "errors {errors:?}");
+    }
+}
+
+#[test]
+fn a_solver_of_ones_own_meets_colliders() {
+    let units = units(16);
+    let mut cloth = Cloth::<f64, 5, 5>::lay(&units, units.point([-0.2, -0.2, 0.0]));
+    let ball = Sphere::new(units.point([0.0, 0.0, -0.3]), units.length(0.2), units.length(0.0));
+    let stretch = Stretch::new(&units, units.stiffness(20.0));
+    let scene = Scene::new(&units, gravity(&units), stretch, ball, SemiImplicitEuler);
+    let mut memory = scene.memory();
+    let mut touched = false;
+    for _ in 0..15 {
+        scene.step(&mut cloth, &mut memory);
+        for position in cloth.position.values() {
+            let distance = (*position - ball.centre).length() * units.cell;
+            assert!(distance > 0.2 - 1e-12, "{distance} m from the centre");
+            touched |= distance < 0.2 + 1e-9;
+        }
+    }
+    assert!(touched, "the sheet reached the ball");
+}
