@@ -5,6 +5,8 @@ mod args;
 mod pictures;
 mod report;
 mod staging;
+#[path = "../studio/mod.rs"]
+mod studio;
 
 use std::io::Write;
 use std::path::Path;

@@ -2,21 +2,16 @@
 
 use std::path::Path;
 
-use embedded_graphics::geometry::Size;
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
-use image::{RgbImage, imageops};
 use indicatif::ProgressBar;
-use kerchief::host::{Description, Painter, Still};
+use kerchief::host::{Description, Still};
 use rayon::prelude::*;
 
 use crate::animation::{Animation, Palette};
 use crate::staging::Staged;
+use crate::studio::Studio;
 
 /// The side of a picture, pixels.
 const SIDE: u32 = 540;
-/// Pictures are drawn that much larger and reduced, which smooths their edges.
-const OVERSIZE: u32 = 3;
 /// The shortest time between two pictures of an animation, s: browsers slow down what is faster than 50 a second, and 30 look smooth.
 const SPACING: f64 = 1.0 / 30.0;
 /// How long an animation shows its last picture, s.
@@ -46,8 +41,7 @@ impl<'a> Album<'a> {
 
     fn studio(&self) -> Result<Studio<'a>, String> {
         let stills = self.stills.iter().map(|(_, still)| still);
-        let painter = Painter::new(self.scene, stills, Size::new(SIDE * OVERSIZE, SIDE * OVERSIZE));
-        painter.map(Studio).map_err(|error| error.to_string())
+        Studio::new(self.scene, stills, SIDE)
     }
 
     /// Writes `animation.gif`, which runs as fast as the scene.
@@ -96,18 +90,5 @@ impl<'a> Album<'a> {
             bar.inc(1);
             file.finish()
         })
-    }
-}
-
-/// Makes pictures.
-struct Studio<'a>(Painter<'a>);
-
-impl Studio<'_> {
-    fn picture(&self, still: &Still) -> RgbImage {
-        let size = Size::new(SIDE * OVERSIZE, SIDE * OVERSIZE);
-        let mut display = SimulatorDisplay::with_default_color(size, Rgb888::BLACK);
-        let Ok(()) = self.0.draw(still, &mut display);
-        let large = display.to_rgb_output_image(&OutputSettings::default());
-        imageops::thumbnail(&large.as_image_buffer(), SIDE, SIDE)
     }
 }

@@ -5,12 +5,14 @@
 //! `v' = (4·v − v₋)/3 + (2/3)·h·a'`,  `x' = x + h·(4·v' + v + v₋)/6`,
 //!
 //! which needs one vector of history instead of two, is stable for any step, loses half as much energy as BDF2 for both, and halves what it can't resolve in
-//! every substep. The first substep takes the acceleration at its start for the missing history, so that free fall is exact.
+//! every substep. In the first substep, whose history is missing, links follow backward Euler, which once costs no order, and the other forces their
+//! acceleration at its start, so that free fall is exact.
 //!
 //! **In space** a sweep relaxes the other families link by link, then all rows, then all columns ([`chain`]). Sweeps start from a part of the
 //! last substep's multipliers, and particles from the velocities that these gave them: what couples rows, columns and diagonals is then mostly there already.
 
 mod chain;
+mod damp;
 mod predict;
 mod relax;
 
@@ -21,9 +23,10 @@ use crate::grid::{Grid, Node};
 use crate::link::Links;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, confine, predict::damp};
+use crate::solver::{Physics, Solver, confine};
 use crate::vec3::Vec3;
 
+use damp::Damp;
 use relax::Relax;
 
 /// Second order in time, exact along rows and columns, stable for any stiffness and step: the solver for sheets that hardly stretch.
@@ -97,18 +100,20 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         memory: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
-        damp(physics.links, cloth);
         let first_order = memory.history == History::Rough;
-        let drag = physics.forces.drag().rate;
-        let two_thirds = S::from_int(2).divide(S::from_int(3));
-        // what κ = k·h²/m becomes: x' depends on a' by (4/9)·h²/(1 + (2/3)·γ·h), with backward Euler by h²/(1 + γ·h)
-        let (moment, softness) = if first_order {
+        if first_order {
             predict::first_order(physics.forces, cloth, memory, moment);
-            (moment, (S::ONE + drag).recip())
         } else {
             predict::second_order(physics.forces, cloth, memory, moment);
-            (Moment { halves: 3, ..moment }, (two_thirds * two_thirds).divide(S::ONE + two_thirds * drag))
+        }
+        // the rule in time: x' depends on v' by part·h, and v' on a' by part·h/(1 + part·γ·h)
+        let (moment, part) = if first_order || memory.history == History::None {
+            (moment, S::ONE)
+        } else {
+            (Moment { halves: 3, ..moment }, S::from_int(2).divide(S::from_int(3)))
         };
+        let response = part.divide(S::ONE + part * physics.forces.drag().rate);
+        let softness = part * response;
         let unit = S::ONE.rate(moment.halves, moment.shift);
         if S::FLOATS {
             scale(&mut cloth.velocity, unit.recip());
@@ -125,6 +130,9 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         let rough = relax.is_rough();
         if S::FLOATS {
             scale(&mut cloth.velocity, unit);
+        }
+        if L::DAMPED {
+            physics.links.dampers(&mut Damp { cloth, moment, part, response });
         }
         confine(physics, cloth, moment);
         memory.history = match (rough, first_order) {

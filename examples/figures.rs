@@ -1,0 +1,78 @@
+//! Draws the thesis' two questions for the README: `cargo run --release --example figures` writes `docs/shear.png` and
+//! `docs/super-elasticity.png`.
+
+#[path = "studio/mod.rs"]
+mod studio;
+
+use std::error::Error;
+
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_10X20};
+use embedded_graphics::pixelcolor::{Rgb888, WebColors};
+use embedded_graphics::prelude::*;
+use embedded_graphics::text::{Alignment, Text};
+use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
+use image::{Rgb, RgbImage, imageops};
+use kerchief::host::{Description, ScalarKind, SolverKind, Still, built_in};
+
+use studio::Studio;
+
+/// The side of a picture, and the height of the line under it, pixels.
+const SIDE: u32 = 480;
+const LINE: u32 = 32;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    std::fs::create_dir_all("docs")?;
+
+    let without = scene("no-shear")?;
+    let with = Description { shear: scene("gravity")?.shear, ..without.clone() };
+    let panels = [run(&without)?, run(&with)?];
+    let words = ["without shear links", "with shear links"].map(String::from);
+    figure(&with, &panels, words)?.save("docs/shear.png")?;
+
+    let wind = scene("wind")?;
+    let mut thesis = wind.clone();
+    (thesis.solver.kind, thesis.solver.substeps, thesis.solver.iterations) = (SolverKind::Verlet, 1, 15);
+    let mut lines = wind.clone();
+    (lines.solver.kind, lines.solver.substeps, lines.solver.iterations) = (SolverKind::Lines, 8, 1);
+    let panels = [run(&thesis)?, run(&lines)?];
+    let words = [("position Verlet, 15 sweeps", &panels[0]), ("line solver, 8 substeps", &panels[1])]
+        .map(|(name, (_, strain))| format!("{name}: {:.1} %", 100.0 * strain));
+    figure(&wind, &panels, words)?.save("docs/super-elasticity.png")?;
+    Ok(())
+}
+
+fn scene(name: &str) -> Result<Description, Box<dyn Error>> {
+    let scene = built_in(name).ok_or("no such scene")?;
+    Ok(Description::parse(scene.text)?)
+}
+
+/// The last moment of a scene, and the largest strain of a stretch link at the end of any frame.
+fn run(scene: &Description) -> Result<(Still, f64), Box<dyn Error>> {
+    let mut simulation = scene.simulation(ScalarKind::F32)?;
+    let mut largest: f64 = 0.0;
+    for _ in 0..scene.frames {
+        simulation.frame();
+        largest = simulation.strains().stretch.map_or(largest, |strain| largest.max(strain.largest));
+    }
+    Ok((simulation.still(), largest))
+}
+
+/// Two pictures by the same camera, side by side, each with a line of words.
+fn figure(scene: &Description, panels: &[(Still, f64); 2], words: [String; 2]) -> Result<RgbImage, String> {
+    let studio = Studio::new(scene, panels.iter().map(|(still, _)| still), SIDE)?;
+    let mut page = RgbImage::from_pixel(2 * SIDE + 8, SIDE + LINE, Rgb([255; 3]));
+    for ((left, (still, _)), words) in [0, SIDE + 8].into_iter().zip(panels).zip(words) {
+        imageops::replace(&mut page, &studio.picture(still), left.into(), 0);
+        imageops::replace(&mut page, &line(&words), left.into(), SIDE.into());
+    }
+    Ok(page)
+}
+
+fn line(words: &str) -> RgbImage {
+    let mut display = SimulatorDisplay::with_default_color(Size::new(SIDE, LINE), Rgb888::WHITE);
+    let style = MonoTextStyle::new(&FONT_10X20, Rgb888::CSS_DARK_SLATE_GRAY);
+    let middle = Point::new(SIDE as i32 / 2, 22);
+    let Ok(_) = Text::with_alignment(words, middle, style, Alignment::Center).draw(&mut display);
+    let image = display.to_rgb_output_image(&OutputSettings::default());
+    RgbImage::from_vec(SIDE, LINE, image.as_image_buffer().to_vec()).expect("an image of that size")
+}
