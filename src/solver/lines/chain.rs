@@ -75,12 +75,13 @@ impl<S: Scalar> Chain<'_, S> {
             let (xb, wb) = (cloth.position[b], cloth.inverse_mass[b] * dividend);
             let d = xb - xa;
             let (excess, inverse) = S::gauge(d.squared(), self.rest);
-            worst = worst.max(excess.abs());
+            let residual = excess - divisor * tension[k];
+            worst = worst.max(residual.abs());
             let normal = d * inverse;
             let coupling = wa * normal_before.dot(normal);
             let factor = coupling * pivot_before;
             let pivot = (wa + wb + divisor - coupling * factor).recip();
-            right_before = (excess - divisor * tension[k] + coupling * right_before) * pivot;
+            right_before = (residual + coupling * right_before) * pivot;
             if k > 0 {
                 ahead[k - 1] = factor;
             }
