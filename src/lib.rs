@@ -62,6 +62,7 @@ pub mod grid;
 #[cfg(feature = "std")]
 pub mod host;
 pub mod link;
+pub mod material;
 pub mod measure;
 pub mod moment;
 #[cfg(feature = "graphics")]
@@ -77,6 +78,7 @@ pub use collider::{Capsule, Collider, Plane, Sphere};
 pub use force::{AerodynamicWind, Drag, FacetWind, Force, Gravity};
 pub use grid::{Grid, Node};
 pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
+pub use material::Material;
 pub use moment::Moment;
 pub use scalar::{Q24, Scalar};
 pub use scene::Scene;

@@ -1,9 +1,9 @@
 //! Scene files: what a good one means, and the line that a bad one gets.
 
-use kerchief::host::{BUILT_IN, DEFAULT_SCENE, Description, Pose, SHAPES, SolverKind, WindModel, built_in};
+use kerchief::host::{BUILT_IN, DEFAULT_SCENE, Description, Pose, SHAPES, SolverKind, Weave, WindModel, built_in};
 
 /// A good scene that names every key, for the tests to spoil.
-const GOOD: &str = r#"
+const GOOD: &str = r##"
 name = "good"
 [cloth]
 columns = 24
@@ -56,7 +56,15 @@ iterations = 3
 strain_limit = 0.1
 [run]
 frames = 20
-"#;
+[picture]
+azimuth = -400.0
+elevation = 20
+low = [-1.0, -1.0, 0.0]
+high = [1.0, 1.0, 2.0]
+pattern = "checks"
+bands = 5
+colours = ["#102030", "#Ff00a0"]
+"##;
 
 fn spoilt(from: &str, to: &str) -> String {
     assert_eq!(GOOD.matches(from).count(), 1, "{from:?} must stand in the good scene once");
@@ -97,6 +105,10 @@ fn a_scene_means_what_it_says() {
     assert_eq!(scene.capsules[0].b, [0.0, 0.0, 1.0]);
     assert_eq!((scene.solver.kind, scene.solver.substeps, scene.solver.iterations), (SolverKind::Leapfrog, 8, 3));
     assert_eq!((scene.solver.step, scene.solver.strain_limit, scene.frames), (0.1, Some(0.1), 20));
+    let picture = &scene.picture;
+    assert_eq!((picture.azimuth, picture.elevation, picture.bands), (-40.0, 20.0, 5));
+    assert_eq!(picture.frame, Some([[-1.0, -1.0, 0.0], [1.0, 1.0, 2.0]]));
+    assert_eq!((picture.pattern, picture.colours), (Weave::Checks, [[16, 32, 48], [255, 0, 160]]));
 }
 
 #[test]
@@ -340,6 +352,18 @@ fn names_and_places_that_do_not_exist() {
         ("[23, 15]", "[1, 2, 3]", "cloth.pins[1]", "must be [column, row], is [1, 2, 3]"),
         ("columns = 24", "columns = 23", "cloth.columns", "no grid of 23x16 (columns x rows), only 1x32, 4x4"),
         ("rows = 16", "rows = 17", "cloth.rows", "no grid of 24x17"),
+        ("\"checks\"", "\"tartan\"", "picture.pattern", "unknown variant `tartan`"),
+        ("elevation = 20", "elevation = 91", "picture.elevation", "must be from -90 to 90, is 91"),
+        ("low = [-1.0, -1.0, 0.0]", "", "picture.low", "missing; high is given"),
+        ("high = [1.0, 1.0, 2.0]", "", "picture.high", "missing; low is given"),
+        ("high = [1.0, 1.0, 2.0]", "high = [1.0, -2.0, 2.0]", "picture.high", "must not be below low"),
+        ("high = [1.0, 1.0, 2.0]", "high = [-1, -1, 0]", "picture.high", "must differ from low"),
+        ("\"#102030\"", "\"102030\"", "picture.colours[0]", "expected a colour \"#rrggbb\""),
+        ("\"#102030\"", "\"#10203\"", "picture.colours[0]", "expected a colour"),
+        ("\"#102030\"", "\"#+10203\"", "picture.colours[0]", "expected a colour"),
+        ("\"#102030\"", "[16, 32, 48]", "picture.colours[0]", "expected a colour"),
+        ("\"#102030\", ", "", "picture.colours", "must be two colours, are 1"),
+        ("\"#102030\", ", "\"#102030\", \"#102030\", ", "picture.colours", "must be two colours, are 3"),
     ]);
 }
 

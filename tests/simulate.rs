@@ -281,6 +281,61 @@ fn a_file_without_a_name_is_called_as_it_is() {
 }
 
 #[test]
+fn a_plain_run_writes_an_animation_as_fast_as_the_scene() {
+    let room = room();
+    let room = room.path();
+    let stdout = succeeds(room, &["small.toml"]);
+    assert_eq!(names(&room.join("out")), ["animation.gif", "report.json"]);
+    assert!(stdout.contains("small: 4 x 4 particles, 10 frames"), "{stdout}");
+
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = options.read_info(fs::File::open(room.join("out/animation.gif")).unwrap()).unwrap();
+    assert_eq!((decoder.width(), decoder.height()), (540, 540));
+    assert_eq!(decoder.repeat(), gif::Repeat::Infinite);
+    let mut delays = Vec::new();
+    let mut changed = Vec::new();
+    while let Some(frame) = decoder.read_next_frame().unwrap() {
+        delays.push(frame.delay);
+        changed.push(frame.buffer.chunks(4).filter(|pixel| pixel[3] != 0).count());
+    }
+    // 10 frames of 0.02 s, every second one shown, the last one for a second
+    assert_eq!(delays, [4, 4, 4, 4, 4, 100]);
+    assert_eq!(changed[0], 540 * 540);
+    assert!(changed[1..].iter().all(|count| (100..540 * 270).contains(count)), "{changed:?}");
+}
+
+#[test]
+fn frames_are_pictures_of_the_recorded_moments() {
+    let room = room();
+    let room = room.path();
+    succeeds(room, &["small.toml", "--png", "--every", "4", "--out", "deep/er"]);
+    let directory = room.join("deep/er");
+    let pictures = ["frame-00000.png", "frame-00004.png", "frame-00008.png", "frame-00010.png"];
+    assert_eq!(names(&directory)[..4], pictures);
+    assert_eq!(names(&directory)[4..], ["report.json"]);
+    let pictures = pictures.map(|name| image::open(directory.join(name)).unwrap().to_rgb8());
+    for picture in &pictures {
+        assert_eq!(picture.dimensions(), (540, 540));
+        let red = picture.pixels().filter(|pixel| pixel[0] / 2 > pixel[1].max(pixel[2])).count();
+        assert!((5_000..200_000).contains(&red), "{red} pixels of the sheet's red");
+    }
+    assert_ne!(pictures[0], pictures[1]);
+    assert_ne!(pictures[2], pictures[3]);
+}
+
+#[test]
+fn sheets_that_blow_up_are_reported_and_drawn() {
+    let room = room();
+    let room = room.path();
+    fs::write(room.join("wild.toml"), SMALL.replace("stiffness = 100.0", "stiffness = 1e9")).unwrap();
+    succeeds(room, &["wild.toml", "--solver", "forward-euler", "--frames", "50", "--png", "--every", "10"]);
+    let report = fs::read_to_string(room.join("out/report.json")).unwrap();
+    assert!(report.contains("\"finite\": false"), "{report}");
+    assert_eq!(names(&room.join("out")).len(), 7);
+}
+
+#[test]
 fn every_number_type_grid_and_solver_runs() {
     for &(columns, rows) in SHAPES {
         let cells = if columns > 1 { columns - 1 } else { 1 };

@@ -32,7 +32,7 @@ impl Palette {
         Self { nearest: (0..1 << 18).map(nearest).collect(), colours: quantizer.color_map_rgb() }
     }
 
-    fn index(&self, Rgb(components): &Rgb<u8>) -> u8 {
+    fn index(&self, Rgb(components): Rgb<u8>) -> u8 {
         let [red, green, blue] = components.map(|component| usize::from(component >> 2));
         self.nearest[red << 12 | green << 6 | blue]
     }
@@ -59,7 +59,7 @@ impl<'a, W: Write> Animation<'a, W> {
     /// Shows `picture` for `seconds`.
     pub(crate) fn show(&mut self, picture: &RgbImage, seconds: f64) -> Result<(), EncodingError> {
         let width = picture.width() as usize;
-        let indices: Vec<u8> = picture.pixels().map(|pixel| self.palette.index(pixel)).collect();
+        let indices: Vec<u8> = picture.pixels().map(|pixel| self.palette.index(*pixel)).collect();
         let changed = |at: &usize| self.shown.get(*at) != Some(&indices[*at]);
         let rows = (0..indices.len()).filter(changed).map(|at| at / width);
         let columns = (0..indices.len()).filter(changed).map(|at| at % width);

@@ -9,6 +9,8 @@ use kerchief::host::{DEFAULT_SCENE, Description, MOST, ScalarKind, SolverKind};
 /// Runs a scene of cloth: writes an animation and a report, or opens a window.
 #[derive(Debug, Parser)]
 #[command(name = "simulate", version)]
+// One for each flag.
+#[allow(clippy::struct_excessive_bools)]
 pub(crate) struct Args {
     /// A scene file, or a built-in scene: gravity, sphere, wind, no-shear, flag, curtain, drape
     #[arg(default_value = DEFAULT_SCENE)]

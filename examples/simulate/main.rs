@@ -7,6 +7,8 @@ mod report;
 mod staging;
 #[path = "../studio/mod.rs"]
 mod studio;
+#[cfg(feature = "window")]
+mod window;
 
 use std::io::Write;
 use std::path::Path;
@@ -37,6 +39,9 @@ fn run(args: &Args) -> Result<(), String> {
     let mut scene = load(&args.scene)?;
     args.override_scene(&mut scene);
     if args.window {
+        #[cfg(feature = "window")]
+        return window::run(scene, args.scalar);
+        #[cfg(not(feature = "window"))]
         return Err("--window: built without the cargo feature `window`; add --features window".to_string());
     }
     let mut simulation = scene.simulation(args.scalar).map_err(|error| format!("{}: {error}", args.scene))?;

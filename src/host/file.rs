@@ -224,5 +224,5 @@ pub(super) struct Picture {
     #[serde(default)]
     pub(super) pattern: Weave,
     pub(super) bands: Option<Count>,
-    pub(super) colours: Option<[Colour; 2]>,
+    pub(super) colours: Option<Vec<Colour>>,
 }

@@ -1,8 +1,9 @@
 //! Pictures of a scene.
 
-use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::primitives::PrimitiveStyle;
+use embedded_graphics::{Drawable, draw_target::DrawTarget};
 use std::vec::Vec;
 
 use super::description::{Description, Picture, Weave};
@@ -33,7 +34,7 @@ const BALL: Rgb888 = Rgb888::new(96, 112, 128);
 const ROD: Rgb888 = Rgb888::new(120, 96, 72);
 const SHADOW: Rgb888 = Rgb888::new(150, 142, 136);
 /// Where a sheet that has left every bound is drawn, cells from the origin.
-const FURTHEST: f64 = 4096.0;
+const FURTHEST: f64 = 512.0;
 
 impl<'a> Painter<'a> {
     /// A painter for pictures of this size that show these moments.
@@ -99,7 +100,9 @@ impl<'a> Painter<'a> {
         if W == 1 {
             ground.prepare(&cloth, &solids, &self.light);
             ground.draw(&camera, target)?;
-            return Wireframe::new(&cloth, &camera).draw(target);
+            let [red, green, blue] = self.scene.picture.colours[1];
+            let style = PrimitiveStyle::with_stroke(Rgb888::new(red, green, blue), self.screen.width.div_ceil(160));
+            return Wireframe::new(&cloth, &camera).into_styled(style).draw(target);
         }
         let pattern = Woven::new(&self.scene.picture, W.max(H) as i32 - 1);
         let look = Look::new(self.light, pattern).solids(solids).backdrop(ground);

@@ -256,12 +256,19 @@ fn picture(picture: &file::Picture) -> Result<Picture, SceneError> {
     if elevation.abs() > 90.0 {
         return Err(SceneError::new("picture.elevation", format!("must be from -90 to 90, is {elevation}")));
     }
+    let colours = match picture.colours.as_deref() {
+        None => COLOURS,
+        Some([first, second]) => [first.0, second.0],
+        Some(other) => {
+            return Err(SceneError::new("picture.colours", format!("must be two colours, are {}", other.len())));
+        }
+    };
     Ok(Picture {
         azimuth: picture.azimuth.map_or(DIRECTION.0, Number::get) % 360.0,
         elevation,
         frame,
         pattern: picture.pattern,
         bands: picture.bands.map_or(BANDS, Count::get),
-        colours: picture.colours.map_or(COLOURS, |colours| colours.map(|colour| colour.0)),
+        colours,
     })
 }
