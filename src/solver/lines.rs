@@ -26,7 +26,7 @@ use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine};
 use crate::vec3::Vec3;
 
-use damp::Damp;
+use damp::{Act, Damp};
 use relax::Relax;
 
 /// Second order in time, exact along rows and columns, stable for any stiffness and step: the solver for sheets that hardly stretch.
@@ -114,6 +114,12 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         };
         let response = part.divide(S::ONE + part * physics.forces.drag().rate);
         let softness = part * response;
+        let damp = |cloth: &mut Cloth<S, W, H>, start: &Grid<Vec3<S>, W, H>, act: Act| {
+            if L::DAMPED {
+                physics.links.dampers(&mut Damp { cloth, start, moment, part, response, act });
+            }
+        };
+        damp(cloth, &memory.earlier, Act::First);
         let unit = S::ONE.rate(moment.halves, moment.shift);
         if S::FLOATS {
             scale(&mut cloth.velocity, unit.recip());
@@ -131,9 +137,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         if S::FLOATS {
             scale(&mut cloth.velocity, unit);
         }
-        if L::DAMPED {
-            physics.links.dampers(&mut Damp { cloth, moment, part, response });
-        }
+        damp(cloth, &memory.earlier, Act::Second);
         confine(physics, cloth, moment);
         memory.history = match (rough, first_order) {
             (true, _) => History::Rough,

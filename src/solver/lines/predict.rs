@@ -61,6 +61,7 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
             let inverse_mass = cloth.inverse_mass[node];
             let v = cloth.velocity[node];
             if inverse_mass == S::ZERO {
+                memory.earlier[node] = v;
                 cloth.position[node] += moment.displacement(v);
                 continue;
             }
@@ -90,7 +91,9 @@ fn ahead<S: Scalar, const W: usize, const H: usize, const N: usize>(
     let (mut position, mut velocity) = (cloth.position.0[row], cloth.velocity.0[row]);
     for column in 0..W {
         let v = velocity[column];
-        let change = if start { Vec3::ZERO } else { v - memory.earlier.0[row][column] };
+        // a pin has the velocity that it was given, from one substep to the next
+        let held = cloth.inverse_mass.0[row][column] == S::ZERO;
+        let change = if start || held { Vec3::ZERO } else { v - memory.earlier.0[row][column] };
         velocity[column] = v + change;
         position[column] += moment.displacement(v + change.halve(1));
     }
