@@ -36,6 +36,10 @@ const MOST_CONJUGATE_STEPS: u32 = 200;
 /// The residual, relative to that of the Newton step's start, at which conjugate gradients end.
 const TOLERANCE: f64 = 1e-3;
 
+/// The steps for which conjugate gradients go on in fixed point although the residual shrinks no more: round-off is all that is left of it, and
+/// in it they turn in circles, further out with each turn.
+const PATIENCE: u32 = 24;
+
 /// The five vectors of Newton's method and conjugate gradients.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<S, const W: usize, const H: usize> {
@@ -151,7 +155,8 @@ impl<S: Scalar> System<S> {
         *direction = *residual;
         let tolerance = S::from_f64(TOLERANCE * TOLERANCE);
         let start = dot(residual, residual);
-        let mut squared = start;
+        let floor = round_off::<S, W, H>();
+        let (mut squared, mut best, mut age) = (start, start, 0);
         for _ in 0..MOST_CONJUGATE_STEPS {
             self.multiply(links, cloth, direction, product);
             let curvature = dot(direction, product);
@@ -164,8 +169,12 @@ impl<S: Scalar> System<S> {
                 residual[node] -= product[node] * length;
             }
             let next = dot(residual, residual);
-            if next <= S::EMPTY || S::quotient(next, start) < tolerance {
+            if next <= floor || (!S::FLOATS && age > PATIENCE) || S::quotient(next, start) < tolerance {
                 break;
+            }
+            age += 1;
+            if next < best {
+                (best, age) = (next, 0);
             }
             let turn = S::quotient(next, squared);
             squared = next;
@@ -178,6 +187,12 @@ impl<S: Scalar> System<S> {
 
 fn dot<S: Scalar, const W: usize, const H: usize>(a: &Grid<Vec3<S>, W, H>, b: &Grid<Vec3<S>, W, H>) -> S::Sum {
     a.values().zip(b.values()).fold(S::EMPTY, |sum, (&a, &b)| S::accumulate(sum, a.dot_wide(b)))
+}
+
+/// The square of a residual that is round-off alone: in fixed point one unit of the last place in every component.
+fn round_off<S: Scalar, const W: usize, const H: usize>() -> S::Sum {
+    let place = if S::FLOATS { S::ZERO } else { S::from_f64(S::RESOLUTION) };
+    (0..3 * W * H).fold(S::EMPTY, |sum, _| S::accumulate(sum, place.product(place)))
 }
 
 fn clear_pins<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, vector: &mut Grid<Vec3<S>, W, H>) {
