@@ -1,0 +1,9 @@
+//! Every solver against the reference.
+
+#[path = "../reference/mod.rs"]
+mod reference;
+#[path = "../rig/mod.rs"]
+mod rig;
+
+mod agreement;
+mod orders;

@@ -1,0 +1,65 @@
+//! The order of every solver in time, by halving its step.
+
+use core::ops::Range;
+
+use crate::reference::{Model, State};
+use crate::rig::scenes::{BREEZE, FACETS, corners, flag};
+use crate::rig::{Method, Pace, carried, largest_error, moved, tenths};
+
+const FIRST: Range<f64> = 0.85..1.15;
+const SECOND: Range<f64> = 1.9..2.1;
+
+/// Every solver with its order and the fewest substeps of 0.1 s that show it: where all that vibrates is resolved.
+const METHODS: [(Method, Range<f64>, u32); 11] = [
+    (Method::ForwardEuler, FIRST, 1024),
+    (Method::BackwardEuler, FIRST, 256),
+    (Method::Leapfrog, SECOND, 32),
+    (Method::Verlet(1), FIRST, 128),
+    (Method::Verlet(4), FIRST, 64),
+    (Method::Xpbd, FIRST, 128),
+    (Method::Lines(1), SECOND, 64),
+    (Method::Lines(2), SECOND, 64),
+    (Method::Lines(4), SECOND, 64),
+    (Method::LinesForgetful, SECOND, 64),
+    (Method::LinesMindful, SECOND, 64),
+];
+
+/// Two halvings of the step show every solver's order over so many tenths of a second.
+fn assert_orders(model: &Model, start: &State, frames: u32) {
+    let exact = model.ode().solve(start, &tenths(frames), 1e-8);
+    for (method, expected, substeps) in METHODS {
+        let errors = [substeps, 2 * substeps, 4 * substeps].map(|substeps| {
+            let mut motion = moved::<f64, 8, 8>(model, Pace::new(0.1, substeps), method);
+            motion.set(start);
+            largest_error(model, &exact, 0.1, &mut *motion)
+        });
+        for pair in errors.windows(2) {
+            let order = (pair[0] / pair[1]).log2();
+            assert!(expected.contains(&order), "{method:?}: order {order:.2} from the errors {errors:?}");
+        }
+    }
+}
+
+#[test]
+fn hanging_from_two_corners() {
+    let model = corners(8);
+    assert_orders(&model, &model.start(), 10);
+}
+
+#[test]
+fn a_flag_in_facet_wind() {
+    let model = flag(8, FACETS);
+    assert_orders(&model, &model.start(), 5);
+}
+
+#[test]
+fn a_flag_in_aerodynamic_wind() {
+    let model = flag(8, BREEZE);
+    assert_orders(&model, &model.start(), 10);
+}
+
+#[test]
+fn a_flag_that_its_pins_carry() {
+    let model = flag(8, BREEZE);
+    assert_orders(&model, &carried(&model, [1.0, -0.5, 0.4]), 10);
+}

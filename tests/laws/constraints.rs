@@ -1,0 +1,110 @@
+//! Pins, the strain limit, tethers; one scene for many sheets.
+
+use kerchief::{Grid, Lines, Node, Q24, Scalar, StrainLimited, Tether, Verlet, Xpbd, measure};
+
+use crate::reference::Model;
+use crate::rig::scenes::corners;
+use crate::rig::{Pace, Rig};
+
+#[test]
+fn a_moving_pin_arrives_where_it_was_told() {
+    fn check<S: Scalar>(substeps: u32, bound: f64) {
+        let mut rig = Rig::<S, _, 8, 8>::new(&corners(8), Pace::new(0.1, substeps), Lines::new());
+        let node = Node::new(0, 0);
+        for frame in 1..=20 {
+            let t = 0.1 * f64::from(frame);
+            let target = [t.sin(), 0.5 * t, 1.0 - t.cos()];
+            rig.scene.move_pin(&mut rig.cloth, node, rig.units.point(target).to_vec());
+            rig.step();
+            let x = rig.state().position[0];
+            let off = (0..3).map(|k| (x[k] - target[k]).abs()).fold(0.0, f64::max);
+            assert!(off < bound, "{off:e} m off in {} after frame {frame} of {substeps} substeps", S::NAME);
+        }
+    }
+    for substeps in [1, 5, 8] {
+        check::<f64>(substeps, 1e-13);
+        check::<f32>(substeps, 3e-6);
+        check::<Q24>(substeps, 3e-6);
+    }
+}
+
+#[test]
+fn a_released_sheet_falls() {
+    let mut rig = Rig::<f64, _, 8, 8>::new(&corners(8), Pace::new(0.1, 32), Xpbd);
+    rig.run(50);
+    let held = rig.state().position[0];
+    assert_eq!(held, [0.0; 3]);
+    rig.cloth.release(Node::new(0, 0), 1.0);
+    rig.cloth.release(Node::new(7, 0), 1.0);
+    rig.run(10);
+    assert!(rig.state().position.iter().all(|x| x[2] < -2.0));
+}
+
+#[test]
+fn one_scene_moves_two_sheets_alike() {
+    let mut one = Rig::<Q24, _, 8, 8>::new(&corners(8), Pace::new(0.1, 8), Lines::new());
+    let mut second = (one.cloth, one.scene.memory());
+    for _ in 0..20 {
+        one.scene.step(&mut one.cloth, &mut one.memory);
+        one.scene.step(&mut second.0, &mut second.1);
+    }
+    assert_eq!(one.cloth, second.0);
+}
+
+/// The thesis' sheet, which its method stretches to several times its size.
+fn thesis() -> Model {
+    let mut model = corners(16);
+    for (family, stiffness) in model.families.iter_mut().zip([94_270.0, 9_427.0, 942.7]) {
+        family.stiffness = stiffness;
+    }
+    model
+}
+
+#[test]
+fn no_link_is_longer_than_the_limit_after_a_step_at_pins_too() {
+    fn check<S: Scalar>() {
+        let mut rig = Rig::<S, _, 16, 16>::new(&thesis(), Pace::new(0.1, 1), Verlet { sweeps: 4 })
+            .with_links(|_, springs| StrainLimited::new((springs.0, springs.1), S::from_f64(0.1)));
+        for frame in 0..50 {
+            rig.step();
+            let longest = measure::strain(&rig.cloth, &rig.scene.links).largest.to_f64();
+            // compression counts as strain too: measured by length
+            let stretched = [(1, 0), (0, 1), (1, 1), (-1, 1)]
+                .map(|offset| overlong(&rig.cloth, offset))
+                .into_iter()
+                .fold(0.0, f64::max);
+            assert!(stretched < 0.1 + 1e-6, "{stretched} in {} after frame {frame} ({longest})", S::NAME);
+        }
+    }
+    check::<f32>();
+    check::<f64>();
+    check::<Q24>();
+}
+
+/// The largest relative elongation of the links of `offset` in a sheet of square cells.
+fn overlong<S: Scalar, const N: usize>(cloth: &kerchief::Cloth<S, N, N>, (across, down): (i32, usize)) -> f64 {
+    let rest = f64::from(across * across + (down * down) as i32).sqrt();
+    let ends = Grid::<S, N, N>::nodes().filter_map(|a| {
+        let b = Node::new(a.column.checked_add_signed(across as isize)?, a.row + down);
+        (b.column < N && b.row < N).then_some((a, b))
+    });
+    let lengths = ends.map(|(a, b)| (cloth.position[b] - cloth.position[a]).length().to_f64());
+    lengths.fold(0.0, f64::max) / rest - 1.0
+}
+
+#[test]
+fn no_particle_is_further_from_a_pin_than_its_tether() {
+    let anchors = [Node::new(0, 0), Node::new(15, 0)];
+    let mut rig = Rig::<f64, _, 16, 16>::new(&thesis(), Pace::new(0.1, 1), Verlet { sweeps: 4 })
+        .with_links(|units, springs| (springs, Tether::<f64, 2>::new(units, &anchors, 0.05).expect("two fit")));
+    for _ in 0..50 {
+        rig.step();
+        for node in Grid::<f64, 16, 16>::nodes() {
+            // the last anchor has the last word; the first may be left a little too far
+            let anchor = anchors[1];
+            let d = (rig.cloth.position[node] - rig.cloth.position[anchor]).length();
+            let rest = ((node.column.abs_diff(15).pow(2) + node.row.pow(2)) as f64).sqrt();
+            assert!(d <= 1.05 * rest + 1e-9, "{d} for {rest} at {node:?}");
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! Laws that hold for every solver and number type.
+
+#[path = "../reference/mod.rs"]
+#[allow(dead_code)]
+mod reference;
+#[path = "../rig/mod.rs"]
+mod rig;
+
+mod constraints;
+mod contact;
+mod falling;
+mod symmetry;

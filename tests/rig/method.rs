@@ -1,0 +1,80 @@
+//! Every solver behind one name.
+
+use kerchief::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Scalar, Solver, Verlet, Xpbd, measure};
+
+use super::{Pace, Rig};
+use crate::reference::{Model, State};
+
+/// A solver with its settings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    ForwardEuler,
+    BackwardEuler,
+    Leapfrog,
+    /// With so many sweeps.
+    Verlet(u32),
+    Xpbd,
+    /// With the default memory and so many sweeps.
+    Lines(u32),
+    /// With memory for rows and columns only.
+    LinesForgetful,
+    /// With memory for stretch, shear and bend.
+    LinesMindful,
+}
+
+/// All solvers as most users run them.
+pub const ALL: [Method; 6] =
+    [Method::ForwardEuler, Method::BackwardEuler, Method::Leapfrog, Method::Verlet(4), Method::Xpbd, Method::Lines(1)];
+
+/// A [`Rig`] whose solver's type is forgotten.
+pub trait Motion {
+    /// Moves the sheet by so many frames.
+    fn run(&mut self, frames: u32);
+    fn state(&self) -> State;
+    fn set(&mut self, state: &State);
+    /// Equal for equal bits.
+    fn digest(&self) -> u32;
+}
+
+impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Motion for Rig<S, V, W, H> {
+    fn run(&mut self, frames: u32) {
+        Rig::run(self, frames);
+    }
+
+    fn state(&self) -> State {
+        Rig::state(self)
+    }
+
+    fn set(&mut self, state: &State) {
+        Rig::set(self, state);
+    }
+
+    fn digest(&self) -> u32 {
+        measure::digest(&self.cloth)
+    }
+}
+
+/// `model` in the hands of a solver of the core.
+pub fn moved<S: Scalar, const W: usize, const H: usize>(model: &Model, pace: Pace, method: Method) -> Box<dyn Motion> {
+    match method {
+        Method::ForwardEuler => rig::<S, _, W, H>(model, pace, ForwardEuler),
+        Method::BackwardEuler => rig::<S, _, W, H>(model, pace, BackwardEuler { newton_steps: 3 }),
+        Method::Leapfrog => rig::<S, _, W, H>(model, pace, Leapfrog),
+        Method::Verlet(sweeps) => rig::<S, _, W, H>(model, pace, Verlet { sweeps }),
+        Method::Xpbd => rig::<S, _, W, H>(model, pace, Xpbd),
+        Method::Lines(sweeps) => rig::<S, _, W, H>(model, pace, Lines::<4> { sweeps }),
+        Method::LinesForgetful => rig::<S, _, W, H>(model, pace, Lines::<2> { sweeps: 1 }),
+        Method::LinesMindful => rig::<S, _, W, H>(model, pace, Lines::<6> { sweeps: 1 }),
+    }
+}
+
+fn rig<S: Scalar, V: Solver<S> + 'static, const W: usize, const H: usize>(
+    model: &Model,
+    pace: Pace,
+    solver: V,
+) -> Box<dyn Motion>
+where
+    V::Memory<W, H>: 'static,
+{
+    Box::new(Rig::<S, V, W, H>::new(model, pace, solver))
+}
