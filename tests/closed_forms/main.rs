@@ -1,7 +1,6 @@
 //! Solvers against what mathematics solves, and the thesis' question.
 
 #[path = "../reference/mod.rs"]
-#[allow(dead_code)]
 mod reference;
 #[path = "../rig/mod.rs"]
 mod rig;

@@ -1,7 +1,6 @@
 //! Laws that hold for every solver and number type.
 
 #[path = "../reference/mod.rs"]
-#[allow(dead_code)]
 mod reference;
 #[path = "../rig/mod.rs"]
 mod rig;
