@@ -8,6 +8,7 @@
 
 mod fixed24;
 mod float;
+mod wide;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};

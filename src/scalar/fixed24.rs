@@ -4,6 +4,7 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use fixed::types::I8F24;
 
+use super::wide::Wide;
 use super::{Rest, Scalar};
 
 /// A fixed-point number from −128 to 128 in steps of 2⁻²⁴ (6·10⁻⁸).
@@ -67,7 +68,7 @@ impl Mul for Q24 {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        Self::from_bits(round(self.product(other)) as i32)
+        Self::from_bits(round(self.product(other).signed()) as i32)
     }
 }
 
@@ -96,7 +97,7 @@ impl SubAssign for Q24 {
 /// Drops 24 fraction bits, rounding to nearest.
 #[inline]
 const fn round(product: i64) -> i64 {
-    (product + (1 << (FRACTION - 1))) >> FRACTION
+    product.wrapping_add(1 << (FRACTION - 1)) >> FRACTION
 }
 
 #[inline]
@@ -134,8 +135,8 @@ fn inverse_root_wide(x: u64) -> (u32, i32) {
 
 /// `squares/L²` by 1/L², near one, with 48 fraction bits; it saturates at 2¹⁵, that is 181 rest lengths, where an elongation is 0.9945.
 #[inline]
-fn ratio(squares: i64, inverse_square: Q24) -> u64 {
-    let (squares, inverse) = (squares as u64, inverse_square.to_bits() as u64);
+fn ratio(squares: u64, inverse_square: Q24) -> u64 {
+    let inverse = inverse_square.to_bits() as u64;
     if squares < 1 << 54 {
         // the product needs up to 86 bits: its upper and its lower part apart
         ((squares >> FRACTION) * inverse + (((squares & 0xff_ffff) * inverse) >> FRACTION)).max(1)
@@ -162,7 +163,7 @@ impl Scalar for Q24 {
     const RESOLUTION: f64 = 1.0 / (1 << FRACTION) as f64;
     const EMPTY: i128 = 0;
 
-    type Product = i64;
+    type Product = Wide;
     type Sum = i128;
 
     #[inline]
@@ -215,22 +216,22 @@ impl Scalar for Q24 {
     }
 
     #[inline]
-    fn product(self, other: Self) -> i64 {
-        i64::from(self.to_bits()) * i64::from(other.to_bits())
+    fn product(self, other: Self) -> Wide {
+        Wide::new(i64::from(self.to_bits()) * i64::from(other.to_bits()))
     }
 
     #[inline]
-    fn narrow(product: i64) -> Self {
-        saturate(round(product))
+    fn narrow(product: Wide) -> Self {
+        saturate(round(product.signed()))
     }
 
     #[inline]
-    fn root(squares: i64) -> Self {
-        if squares <= 0 {
+    fn root(squares: Wide) -> Self {
+        let x = squares.squares();
+        if x == 0 {
             return Self::ZERO;
         }
         // √x = x · 1/√x, with the exponents kept apart so that nothing is lost
-        let x = squares as u64;
         let (y, e) = inverse_root_wide(x);
         let normal = x.leading_zeros();
         let product = ((u128::from(x << normal) * u128::from(y)) >> 64) as u64;
@@ -256,19 +257,20 @@ impl Scalar for Q24 {
     }
 
     #[inline]
-    fn elongation(squares: i64, rest: &Rest<Self>) -> Self {
-        if squares <= 0 {
+    fn elongation(squares: Wide, rest: &Rest<Self>) -> Self {
+        let squares = squares.squares();
+        if squares == 0 {
             return Self::ZERO;
         }
         saturate((1 << FRACTION) - inverse_stretch(ratio(squares, rest.inverse_square)))
     }
 
     #[inline]
-    fn gauge(squares: i64, rest: &Rest<Self>) -> (Self, Self) {
-        if squares <= 0 {
+    fn gauge(squares: Wide, rest: &Rest<Self>) -> (Self, Self) {
+        if squares.squares() == 0 {
             return (-rest.length, Self::ZERO);
         }
-        let inverse = saturate(inverse_stretch(ratio(squares, rest.inverse_square)));
+        let inverse = saturate(inverse_stretch(ratio(squares.squares(), rest.inverse_square)));
         (Self::root(squares) - rest.length, inverse * (rest.length * rest.inverse_square))
     }
 
@@ -278,8 +280,8 @@ impl Scalar for Q24 {
     }
 
     #[inline]
-    fn accumulate(sum: i128, product: i64) -> i128 {
-        sum + i128::from(product)
+    fn accumulate(sum: i128, product: Wide) -> i128 {
+        sum + i128::from(product.signed())
     }
 
     #[inline]
@@ -290,7 +292,7 @@ impl Scalar for Q24 {
 
     #[inline]
     fn root_mean(sum: i128, count: u32) -> Self {
-        Self::root((sum / i128::from(count)) as i64)
+        Self::root(Wide::new((sum / i128::from(count)) as i64))
     }
 
     #[inline]
@@ -307,6 +309,7 @@ impl Scalar for Q24 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vec3::Vec3;
 
     fn number(value: f64) -> Q24 {
         Q24::from_f64(value)
@@ -337,7 +340,7 @@ mod tests {
         while x < 16_000.0 {
             let squares = (x * (1_u64 << 48) as f64) as i64;
             let expected = (squares as f64).sqrt() / 16_777_216.0 * 16_777_216.0;
-            let found = Q24::root(squares).to_bits() as f64;
+            let found = Q24::root(Wide::new(squares)).to_bits() as f64;
             assert!((found - expected).abs() <= 1.0 + expected * 1e-9, "{x}: {found} {expected}");
             x *= 1.37;
         }
@@ -371,7 +374,7 @@ mod tests {
                 Q24::from_int(across).product(Q24::from_int(across)) + Q24::from_int(down).product(Q24::from_int(down));
             assert_eq!(Q24::elongation(squares, &rest), Q24::ZERO);
         }
-        assert_eq!(Q24::elongation(0, &Rest::spanning(Q24::ONE, Q24::ZERO)), Q24::ZERO);
+        assert_eq!(Q24::elongation(Wide::new(0), &Rest::spanning(Q24::ONE, Q24::ZERO)), Q24::ZERO);
     }
 
     #[test]
@@ -383,6 +386,17 @@ mod tests {
             assert_eq!(value.round_times(factor), expected, "{value} · {factor}");
         }
         assert_eq!(number(-0.5).round_times(3), -1);
+    }
+
+    #[test]
+    fn no_distance_within_the_range_is_too_long() {
+        // 208 cells: its square is more than an i64 holds
+        let far = Vec3::new(number(120.0), number(-120.0), number(120.0));
+        let reach = number(127.0);
+        assert!(far.squared() > reach.product(reach));
+        assert_eq!(far.length().to_bits(), i32::MAX);
+        let rest = Rest::spanning(number(1.5), Q24::ZERO);
+        assert!((Q24::elongation(far.squared(), &rest).to_f64() - (1.0 - 1.5 / (120.0 * 3.0_f64.sqrt()))).abs() < 1e-6);
     }
 
     #[test]
