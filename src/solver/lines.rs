@@ -25,6 +25,7 @@ use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine};
 use crate::vec3::Vec3;
+use crate::vectors::Vectors;
 
 use damp::{Act, Damp};
 use relax::Relax;
@@ -66,7 +67,7 @@ const ROUGH: f64 = 0.1;
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
     /// The velocity before the last substep, cells per tick.
-    earlier: Grid<Vec3<S>, W, H>,
+    earlier: Vectors<S, W, H>,
     /// The multiplier of each link, at its upper or left particle, in cells over the dividend of the link's strength.
     tension: [Grid<S, W, H>; N],
     history: History,
@@ -90,7 +91,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
 
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
         const { assert!(N >= 2, "the line solver remembers rows and columns at least") };
-        Memory { earlier: Grid::filled(Vec3::ZERO), tension: [Grid::filled(S::ZERO); N], history: History::None }
+        Memory { earlier: Vectors::filled(Vec3::ZERO), tension: [Grid::filled(S::ZERO); N], history: History::None }
     }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
@@ -114,7 +115,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         };
         let response = part.divide(S::ONE + part * physics.forces.drag().rate);
         let softness = part * response;
-        let damp = |cloth: &mut Cloth<S, W, H>, start: &Grid<Vec3<S>, W, H>, act: Act| {
+        let damp = |cloth: &mut Cloth<S, W, H>, start: &Vectors<S, W, H>, act: Act| {
             if L::DAMPED {
                 physics.links.dampers(&mut Damp { cloth, start, moment, part, response, act });
             }
@@ -157,8 +158,8 @@ fn displace<S: Scalar, const W: usize, const H: usize>(
     moment: Moment,
 ) {
     if S::FLOATS {
-        cloth.position[node] += by;
-        cloth.velocity[node] += by;
+        cloth.position.add(node, by);
+        cloth.velocity.add(node, by);
     } else {
         cloth.displace(node, by, moment);
     }
@@ -177,8 +178,6 @@ fn pull<S: Scalar, const W: usize, const H: usize>(
     displace(cloth, b, -by * wb, moment);
 }
 
-fn scale<S: Scalar, const W: usize, const H: usize>(vectors: &mut Grid<Vec3<S>, W, H>, factor: S) {
-    for v in vectors.values_mut() {
-        *v = *v * factor;
-    }
+fn scale<S: Scalar, const W: usize, const H: usize>(vectors: &mut Vectors<S, W, H>, factor: S) {
+    vectors.change(|v| v * factor);
 }

@@ -35,11 +35,11 @@ impl<S: Scalar> Chain<'_, S> {
         warm: S,
     ) {
         let mut pull_before = Vec3::ZERO;
-        let mut x = cloth.position[node(0)];
+        let mut x = cloth.position.at(node(0));
         for k in 0..N {
             let mut pull = Vec3::ZERO;
             if k + 1 < N {
-                let next = cloth.position[node(k + 1)];
+                let next = cloth.position.at(node(k + 1));
                 let d = next - x;
                 tension[k] = tension[k] * warm;
                 let (_, inverse) = S::gauge(d.squared(), self.rest);
@@ -69,10 +69,10 @@ impl<S: Scalar> Chain<'_, S> {
         let mut worst = S::ZERO;
         let mut normal_before = Vec3::ZERO;
         let (mut pivot_before, mut right_before) = (S::ZERO, S::ZERO);
-        let (mut xa, mut wa) = (cloth.position[node(0)], cloth.inverse_mass[node(0)] * dividend);
+        let (mut xa, mut wa) = (cloth.position.at(node(0)), cloth.inverse_mass[node(0)] * dividend);
         for k in 0..N - 1 {
             let b = node(k + 1);
-            let (xb, wb) = (cloth.position[b], cloth.inverse_mass[b] * dividend);
+            let (xb, wb) = (cloth.position.at(b), cloth.inverse_mass[b] * dividend);
             let d = xb - xa;
             let (excess, inverse) = S::gauge(d.squared(), self.rest);
             let residual = excess - divisor * tension[k];

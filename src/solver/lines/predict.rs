@@ -43,15 +43,15 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
     let slowed = (S::ONE + two_thirds * drag).recip();
     let uniform = forces.uniform();
     let start = memory.history == History::None;
-    let mut gain = [Vec3::ZERO; W];
+    let mut gain = Vec3::row(Vec3::ZERO);
     let mut here = if F::FIELD { Some(ahead(cloth, memory, 0, start, moment)) } else { None };
     for row in 0..H {
-        let mut below_gain = [Vec3::ZERO; W];
-        if let Some((position, velocity)) = &here {
+        let mut below_gain = Vec3::row(Vec3::ZERO);
+        if let Some([position, velocity]) = &here {
             let upper = Row { position, velocity };
             forces.particles(upper, &mut gain);
             let below = (row + 1 < H).then(|| ahead(cloth, memory, row + 1, start, moment));
-            if let Some((position, velocity)) = &below {
+            if let Some([position, velocity]) = &below {
                 forces.cells([upper, Row { position, velocity }], [&mut gain, &mut below_gain]);
             }
             here = below;
@@ -59,21 +59,22 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
         for column in 0..W {
             let node = Node { column, row };
             let inverse_mass = cloth.inverse_mass[node];
-            let v = cloth.velocity[node];
+            let v = cloth.velocity.at(node);
             if inverse_mass == S::ZERO {
-                memory.earlier[node] = v;
-                cloth.position[node] += moment.displacement(v);
+                memory.earlier.set(node, v);
+                cloth.position.add(node, moment.displacement(v));
                 continue;
             }
-            let gain = if F::FIELD { gain[column] * inverse_mass + uniform } else { uniform };
-            let earlier = if start { v - if F::DRAG { gain - v * drag } else { gain } } else { memory.earlier[node] };
+            let gain = if F::FIELD { gain.at(column) * inverse_mass + uniform } else { uniform };
+            let earlier =
+                if start { v - if F::DRAG { gain - v * drag } else { gain } } else { memory.earlier.at(node) };
             let mut next = v + (v - earlier) * third + gain * two_thirds;
             if F::DRAG {
                 next = next * slowed;
             }
-            memory.earlier[node] = v;
-            cloth.velocity[node] = next;
-            cloth.position[node] += moment.displacement(next * two_thirds + (v + earlier) * sixth);
+            memory.earlier.set(node, v);
+            cloth.velocity.set(node, next);
+            cloth.position.add(node, moment.displacement(next * two_thirds + (v + earlier) * sixth));
         }
         gain = below_gain;
     }
@@ -87,15 +88,15 @@ fn ahead<S: Scalar, const W: usize, const H: usize, const N: usize>(
     row: usize,
     start: bool,
     moment: Moment,
-) -> ([Vec3<S>; W], [Vec3<S>; W]) {
-    let (mut position, mut velocity) = (cloth.position.0[row], cloth.velocity.0[row]);
+) -> [Vec3<[S; W]>; 2] {
+    let [mut position, mut velocity] = [cloth.position.0[row], cloth.velocity.0[row]];
     for column in 0..W {
-        let v = velocity[column];
+        let v = velocity.at(column);
         // a pin has the velocity that it was given, from one substep to the next
         let held = cloth.inverse_mass.0[row][column] == S::ZERO;
-        let change = if start || held { Vec3::ZERO } else { v - memory.earlier.0[row][column] };
-        velocity[column] = v + change;
-        position[column] += moment.displacement(v + change.halve(1));
+        let change = if start || held { Vec3::ZERO } else { v - memory.earlier.0[row].at(column) };
+        velocity.set(column, v + change);
+        position.add(column, moment.displacement(v + change.halve(1)));
     }
-    (position, velocity)
+    [position, velocity]
 }

@@ -76,7 +76,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         let dividend = family.strength.scaled(self.softness).dividend;
         let mut act = |a: Node, b: Node, multiplier: &mut S| {
             *multiplier = *multiplier * warm;
-            let d = cloth.position[b] - cloth.position[a];
+            let d = cloth.position.at(b) - cloth.position.at(a);
             let (_, inverse) = S::gauge(d.squared(), &family.rest);
             pull(cloth, [a, b], d * (inverse * *multiplier * dividend), moment);
         };
@@ -134,7 +134,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
             if inverse_mass == S::ZERO {
                 return;
             }
-            let d = cloth.position[b] - cloth.position[a];
+            let d = cloth.position.at(b) - cloth.position.at(a);
             let (excess, inverse) = S::gauge(d.squared(), &family.rest);
             let change = (excess - divisor * *multiplier).divide(inverse_mass * dividend + divisor);
             *multiplier += change;
