@@ -79,4 +79,11 @@ impl<S: Scalar, const W: usize> Vec3<[S; W]> {
     pub fn add(&mut self, column: usize, vector: Vec3<S>) {
         self.set(column, self.at(column) + vector);
     }
+
+    /// The row whose x, y and z are what `change` makes of this one's.
+    #[inline(always)]
+    #[must_use]
+    pub fn components(&self, change: impl Fn(&[S; W]) -> [S; W]) -> Self {
+        Self { x: change(&self.x), y: change(&self.y), z: change(&self.z) }
+    }
 }

@@ -13,13 +13,14 @@
 
 mod chain;
 mod damp;
+mod pairs;
 mod predict;
 mod relax;
 
 use crate::cloth::Cloth;
 use crate::collider::Collider;
 use crate::force::Force;
-use crate::grid::{Grid, Node};
+use crate::grid::Grid;
 use crate::link::Links;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -151,31 +152,29 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
 /// Moves a particle by a link. Floats, whose scale is free, keep displacements in the place of velocities meanwhile: that saves a product for every
 /// number that a link changes.
 #[inline(always)]
-fn displace<S: Scalar, const W: usize, const H: usize>(
-    cloth: &mut Cloth<S, W, H>,
-    node: Node,
+fn displace<S: Scalar, const W: usize>(
+    position: &mut Vec3<[S; W]>,
+    velocity: &mut Vec3<[S; W]>,
+    column: usize,
     by: Vec3<S>,
     moment: Moment,
 ) {
-    if S::FLOATS {
-        cloth.position.add(node, by);
-        cloth.velocity.add(node, by);
-    } else {
-        cloth.displace(node, by, moment);
-    }
+    position.add(column, by);
+    velocity.add(column, if S::FLOATS { by } else { moment.velocity(by) });
 }
 
-/// Moves both ends of a link.
+/// Moves a row.
 #[inline(always)]
-fn pull<S: Scalar, const W: usize, const H: usize>(
+fn displace_row<S: Scalar, const W: usize, const H: usize>(
     cloth: &mut Cloth<S, W, H>,
-    [a, b]: [Node; 2],
-    by: Vec3<S>,
+    row: usize,
+    by: impl Fn(usize) -> Vec3<S>,
     moment: Moment,
 ) {
-    let (wa, wb) = (cloth.inverse_mass[a], cloth.inverse_mass[b]);
-    displace(cloth, a, by * wa, moment);
-    displace(cloth, b, -by * wb, moment);
+    let (position, velocity) = (&mut cloth.position.0[row], &mut cloth.velocity.0[row]);
+    for column in 0..W {
+        displace(position, velocity, column, by(column), moment);
+    }
 }
 
 fn scale<S: Scalar, const W: usize, const H: usize>(vectors: &mut Vectors<S, W, H>, factor: S) {

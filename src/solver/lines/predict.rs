@@ -38,7 +38,7 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
 ) {
     let third = S::ONE.divide(S::from_int(3));
     let two_thirds = third + third;
-    let sixth = third.halve(1);
+    let rule = Rule { third, two_thirds, sixth: third.halve(1), moment };
     let drag = forces.drag().rate;
     let slowed = (S::ONE + two_thirds * drag).recip();
     let uniform = forces.uniform();
@@ -56,27 +56,55 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
             }
             here = below;
         }
+        let velocity = cloth.velocity.0[row];
+        let mut earlier = core::mem::replace(&mut memory.earlier.0[row], velocity);
         for column in 0..W {
-            let node = Node { column, row };
-            let inverse_mass = cloth.inverse_mass[node];
-            let v = cloth.velocity.at(node);
-            if inverse_mass == S::ZERO {
-                memory.earlier.set(node, v);
-                cloth.position.add(node, moment.displacement(v));
-                continue;
+            let by = if F::FIELD { gain.at(column) * cloth.inverse_mass.0[row][column] + uniform } else { uniform };
+            gain.set(column, by * two_thirds);
+            if start {
+                let v = velocity.at(column);
+                earlier.set(column, v - if F::DRAG { by - v * drag } else { by });
             }
-            let gain = if F::FIELD { gain.at(column) * inverse_mass + uniform } else { uniform };
-            let earlier =
-                if start { v - if F::DRAG { gain - v * drag } else { gain } } else { memory.earlier.at(node) };
-            let mut next = v + (v - earlier) * third + gain * two_thirds;
-            if F::DRAG {
-                next = next * slowed;
-            }
-            memory.earlier.set(node, v);
-            cloth.velocity.set(node, next);
-            cloth.position.add(node, moment.displacement(next * two_thirds + (v + earlier) * sixth));
+        }
+        if F::DRAG {
+            rule.row(cloth, row, &earlier, &gain, |v| v * slowed);
+        } else {
+            rule.row(cloth, row, &earlier, &gain, |v| v);
         }
         gain = below_gain;
+    }
+}
+
+/// The rule's coefficients.
+struct Rule<S> {
+    third: S,
+    two_thirds: S,
+    sixth: S,
+    moment: Moment,
+}
+
+impl<S: Scalar> Rule<S> {
+    /// Moves a row, given its velocity before the last substep and two thirds of what it gains.
+    #[inline(never)] // so that its rows are known to be apart
+    fn row<const W: usize, const H: usize>(
+        &self,
+        cloth: &mut Cloth<S, W, H>,
+        row: usize,
+        earlier: &Vec3<[S; W]>,
+        gain: &Vec3<[S; W]>,
+        slow: impl Fn(Vec3<S>) -> Vec3<S>,
+    ) {
+        let inverse_mass = &cloth.inverse_mass.0[row];
+        let (position, velocity) = (&mut cloth.position.0[row], &mut cloth.velocity.0[row]);
+        for column in 0..W {
+            let (v, earlier) = (velocity.at(column), earlier.at(column));
+            let next = slow(v + (v - earlier) * self.third + gain.at(column));
+            // a pin goes on as it was told; no branch, so that four particles can move at once
+            let held = inverse_mass[column] == S::ZERO;
+            velocity.set(column, v.or(next, held));
+            let drift = next * self.two_thirds + (v + earlier) * self.sixth;
+            position.add(column, self.moment.displacement(v.or(drift, held)));
+        }
     }
 }
 
