@@ -64,6 +64,8 @@ const WARM_OTHERS: f64 = 0.8;
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
 
+const TOLERANCE: f64 = 0.02;
+
 /// What a sheet's motion leaves behind.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
@@ -132,10 +134,15 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         } else {
             relax.forget();
         }
+        let tolerance = S::from_f64(TOLERANCE);
+        let mut met = S::ZERO;
         for sweep in 0..self.sweeps {
-            relax.sweep(physics.links, sweep);
+            met = relax.sweep(physics.links, sweep);
+            if met <= tolerance {
+                break;
+            }
         }
-        let rough = relax.is_rough();
+        let rough = met > S::from_f64(ROUGH);
         if S::FLOATS {
             scale(&mut cloth.velocity, unit);
         }

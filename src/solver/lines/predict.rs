@@ -2,7 +2,6 @@
 
 use crate::cloth::Cloth;
 use crate::force::{Force, Row};
-use crate::grid::Node;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::predict;

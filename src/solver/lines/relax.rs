@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 
 use super::chain::Chain;
 use super::pairs::Pairs;
-use super::{ROUGH, WARM_LINES, WARM_OTHERS};
+use super::{WARM_LINES, WARM_OTHERS};
 
 /// Which families a visit is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -32,7 +32,8 @@ pub(super) struct Relax<'a, S, const W: usize, const H: usize, const N: usize> {
     sweep: u32,
     /// The grid of multipliers of the family at hand.
     slot: usize,
-    rough: bool,
+    /// The largest strain of a row that the sweep met.
+    met: S,
 }
 
 impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S, W, H, N> {
@@ -42,7 +43,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         moment: Moment,
         softness: S,
     ) -> Self {
-        Self { cloth, tension, moment, softness, pass: Pass::Others, sweep: 0, slot: 0, rough: false }
+        Self { cloth, tension, moment, softness, pass: Pass::Others, sweep: 0, slot: 0, met: S::ZERO }
     }
 
     /// Lets every link act with a part of its last multiplier.
@@ -56,18 +57,14 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         *self.tension = [Grid::filled(S::ZERO); N];
     }
 
-    /// Relaxes every link once.
-    pub(super) fn sweep<L: Links<S>>(&mut self, links: &L, sweep: u32) {
-        (self.sweep, self.rough) = (sweep, false);
+    /// Relaxes every link once. Returns the largest strain of a row that it met.
+    pub(super) fn sweep<L: Links<S>>(&mut self, links: &L, sweep: u32) -> S {
+        (self.sweep, self.met) = (sweep, S::ZERO);
         for pass in [Pass::Others, Pass::Lines] {
             (self.pass, self.slot) = (pass, 0);
             links.springs(self);
         }
-    }
-
-    /// Whether the last sweep met a row far from its rest length.
-    pub(super) fn is_rough(&self) -> bool {
-        self.rough
+        self.met
     }
 
     fn lines<const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
@@ -79,7 +76,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
             (Pass::Start, _) => Pairs::new(family, strength, self.moment).column::<1, true, W, H>(self.cloth, Some(tension), S::from_f64(WARM_LINES)),
             (_, 0) => {
                 let worst = chain.rows(self.cloth, tension);
-                self.rough |= worst > family.rest.length * S::from_f64(ROUGH);
+                self.met = self.met.max(worst.divide(family.rest.length));
             }
             _ => chain.columns(self.cloth, tension),
         }
