@@ -10,6 +10,7 @@ use super::error::SceneError;
 use super::file::{self, File, Pins, Table};
 use super::quantity::{Count, NonNegative, Number, Positive};
 use super::shape::SHAPES;
+use crate::solver::Lines;
 
 /// Frames of a file that does not say.
 const FRAMES: u32 = 100;
