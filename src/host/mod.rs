@@ -56,12 +56,14 @@
 
 mod build;
 mod builtin;
+mod counted;
 mod description;
 mod error;
 mod file;
 mod fit;
 #[cfg(feature = "graphics")]
 mod painter;
+mod parts;
 mod quantity;
 mod resolve;
 mod run;
@@ -69,6 +71,7 @@ mod shape;
 mod solver;
 
 pub use builtin::{BUILT_IN, BuiltIn, DEFAULT_SCENE, built_in};
+pub use counted::{Counted, Operations};
 pub use description::{
     Capsule, Description, Drag, Picture, Plane, Pose, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Weave, Wind,
     WindModel,
@@ -76,6 +79,7 @@ pub use description::{
 pub use error::SceneError;
 #[cfg(feature = "graphics")]
 pub use painter::Painter;
+pub use parts::{Basics, Everything, Parts, Springs};
 pub use quantity::MOST;
 pub use run::{ScalarKind, Simulation, State, Still, Strain, Strains};
 pub use shape::SHAPES;

@@ -1,0 +1,151 @@
+//! A scene solved in many ways: what each costs and how wrong it is.
+
+use std::path::Path;
+
+use indicatif::ProgressBar;
+use kerchief::host::Description;
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::configuration::{Choice, Configuration};
+use super::cost::{self, PerParticle};
+use super::measurement::Measurement;
+use super::reference::Reference;
+
+/// A configuration and what was seen of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Point {
+    pub(crate) configuration: Configuration,
+    pub(crate) seen: Measurement,
+    pub(crate) operations: Option<PerParticle>,
+    /// Instructions per particle and frame.
+    pub(crate) instructions: Option<f64>,
+    /// Time over that of the study's first point.
+    pub(crate) time_ratio: f64,
+}
+
+/// A scene and what is asked of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Subject {
+    pub(crate) text: String,
+    pub(crate) scene: Description,
+    pub(crate) frames: u32,
+    /// How close the reference has to come to its limit, sheet sizes; without, only strain is measured.
+    pub(crate) tolerance: Option<f64>,
+}
+
+/// The result.
+#[derive(Clone, Debug)]
+pub(crate) struct Study {
+    pub(crate) subject: Subject,
+    pub(crate) reference: Option<Reference>,
+    pub(crate) points: Vec<Point>,
+    /// By how much instructions per operation differ within a solver and number type, at most, as a part of them; without callgrind nothing.
+    pub(crate) spread: Option<f64>,
+}
+
+impl Subject {
+    /// Runs all configurations.
+    pub(crate) fn study(
+        self,
+        choice: &Choice,
+        callgrind: bool,
+        cache: &Path,
+        bar: &ProgressBar,
+    ) -> Result<Study, String> {
+        let name = self.scene.name.clone();
+        let in_scene = |reason: &dyn std::fmt::Display| format!("{name}: {reason}");
+        let configurations = choice.configurations();
+        for &configuration in &configurations {
+            // What a number type does not hold is said before anything is run.
+            let probe = super::motion::moving(&configuration.of(&self.scene), configuration.scalar);
+            probe.map_err(|error| in_scene(&error))?;
+        }
+        bar.inc_length(configurations.len() as u64 + 1);
+        let reference = self.tolerance.map(|tolerance| {
+            Reference::of(&self.text, &self.scene, self.frames, tolerance, cache).map_err(|error| in_scene(&error))
+        });
+        let reference = reference.transpose()?;
+        bar.inc(1);
+        let exchanges = match callgrind {
+            true => Some(cost::exchanges(&self.text, &self.scene, &configurations, bar)?),
+            false => None,
+        };
+        let point = |&configuration: &Configuration| {
+            let positions = reference.as_ref().map(|reference| &reference.positions);
+            let seen = Measurement::of(&self.scene, configuration, self.frames, positions).map_err(|e| in_scene(&e))?;
+            let is_whole = seen.strain.is_finite();
+            let operations = is_whole.then(|| cost::operations(&self.scene, configuration, self.frames)).flatten();
+            let units = operations.map_or(f64::from(configuration.substeps), PerParticle::total);
+            let exchange = exchanges.as_ref().and_then(|exchanges| exchanges.get(&cost::group(configuration)));
+            let instructions =
+                exchange.filter(|_| is_whole).map(|rate| rate.instructions(configuration.substeps, units));
+            bar.inc(1);
+            Ok::<_, String>(Point { configuration, seen, operations, instructions, time_ratio: 1.0 })
+        };
+        let mut points: Vec<Point> = configurations.par_iter().map(point).collect::<Result<_, _>>()?;
+        if let Some(first) = points.first().map(|point| point.seen.time.as_secs_f64()) {
+            for point in &mut points {
+                point.time_ratio = point.seen.time.as_secs_f64() / first;
+            }
+        }
+        let spread = exchanges.map(|all| all.values().map(cost::Exchange::spread).fold(0.0, f64::max));
+        Ok(Study { subject: self, reference, points, spread })
+    }
+}
+
+impl Point {
+    /// What a frame costs per particle: instructions where they were counted, or else operations.
+    pub(crate) fn cost(&self) -> f64 {
+        self.instructions.or(self.operations.map(PerParticle::total)).unwrap_or(f64::NAN)
+    }
+}
+
+/// A line of the table of all points.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Row<'a> {
+    scene: &'a str,
+    solver: &'static str,
+    scalar: &'static str,
+    substeps: u32,
+    sweeps: u32,
+    error: Option<String>,
+    strain: String,
+    instructions: Option<f64>,
+    operations: Option<f64>,
+    additions: Option<f64>,
+    products: Option<f64>,
+    quotients: Option<f64>,
+    roots: Option<f64>,
+    comparisons: Option<f64>,
+    time_ratio: f64,
+}
+
+impl Study {
+    /// All points as lines of a table.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        let number = |value: f64| if value.is_finite() { format!("{value:e}") } else { "diverged".to_string() };
+        self.points.iter().map(move |point| {
+            let Configuration { solver, scalar, substeps, sweeps } = point.configuration;
+            let count =
+                |of: fn(PerParticle) -> f64| point.operations.map(of).map(|count| (count * 10.0).round() / 10.0);
+            Row {
+                scene: &self.subject.scene.name,
+                solver: solver.name(),
+                scalar: scalar.name(),
+                substeps,
+                sweeps,
+                error: point.seen.error.map(number),
+                strain: number(point.seen.strain),
+                instructions: point.instructions.map(f64::round),
+                operations: count(PerParticle::total),
+                additions: count(|of| of.additions),
+                products: count(|of| of.products),
+                quotients: count(|of| of.quotients),
+                roots: count(|of| of.roots),
+                comparisons: count(|of| of.comparisons),
+                time_ratio: (point.time_ratio * 100.0).round() / 100.0,
+            }
+        })
+    }
+}

@@ -1,0 +1,160 @@
+//! What the scenes of a program may name. What none of them names costs nothing.
+
+use std::format;
+
+use super::description::{Wind, WindModel};
+use super::error::SceneError;
+use super::fit::Fit;
+use crate::force::{AerodynamicWind, FacetWind, Force};
+use crate::link::{Damped, Links};
+use crate::scalar::Scalar;
+use crate::units::Units;
+
+/// Links that a scene may have or not.
+pub trait Springs<S: Scalar + Send>: Links<S> + Copy + Send + 'static {}
+
+impl<S: Scalar + Send, L: Links<S> + Copy + Send + 'static> Springs<S> for L {}
+
+/// The parts that scenes are put together from.
+pub trait Parts<S: Scalar + Send>: 'static {
+    /// Moving air.
+    type Air: Force<S> + Send;
+    /// A family of links.
+    type Springs<L: Springs<S>>: Springs<S>;
+
+    /// The core's wind.
+    ///
+    /// # Errors
+    ///
+    /// If the parts have no such wind, or the number type does not hold it.
+    fn air(units: &Units, wind: Option<&Wind>) -> Result<Self::Air, SceneError>;
+
+    /// `springs` with dampers of `damping` (N·s/m) beside them; `table` is their name in the scene file.
+    ///
+    /// # Errors
+    ///
+    /// If the parts have no dampers, or the number type does not hold them.
+    fn springs<L: Springs<S>>(
+        units: &Units,
+        table: &str,
+        springs: L,
+        damping: f64,
+    ) -> Result<Self::Springs<L>, SceneError>;
+}
+
+/// All that a scene file can say.
+#[derive(Clone, Copy, Debug)]
+pub enum Everything {}
+
+impl<S: Scalar + Send> Parts<S> for Everything {
+    type Air = (Option<FacetWind<S>>, Option<AerodynamicWind<S>>);
+    type Springs<L: Springs<S>> = Damped<L, S>;
+
+    fn air(units: &Units, wind: Option<&Wind>) -> Result<Self::Air, SceneError> {
+        match wind {
+            Some(&Wind { velocity, model: WindModel::Aerodynamic { density, drag_coefficient } }) => {
+                let flow = units.aerodynamic_wind(velocity, density, drag_coefficient);
+                Fit::<S>::vector(VELOCITY, flow.wind)?;
+                Fit::<S>::number("environment.wind.density", flow.pressure)?;
+                Ok((None, Some(AerodynamicWind::new(flow))))
+            }
+            facet => Ok((Basics::air(units, facet)?, None)),
+        }
+    }
+
+    fn springs<L: Springs<S>>(
+        units: &Units,
+        table: &str,
+        springs: L,
+        damping: f64,
+    ) -> Result<Self::Springs<L>, SceneError> {
+        let damping = units.damping(damping);
+        Fit::<S>::number(format!("{table}.damping"), damping.dividend)?;
+        Ok(Damped::new(springs, damping))
+    }
+}
+
+/// Scenes whose forces don't depend on velocities: neither dampers in links nor aerodynamic wind. Solvers that would evaluate such forces twice do so once.
+#[derive(Clone, Copy, Debug)]
+pub enum Basics {}
+
+impl<S: Scalar + Send> Parts<S> for Basics {
+    type Air = Option<FacetWind<S>>;
+    type Springs<L: Springs<S>> = L;
+
+    fn air(units: &Units, wind: Option<&Wind>) -> Result<Self::Air, SceneError> {
+        match wind {
+            None => Ok(None),
+            Some(Wind { velocity, model: WindModel::Facet }) => {
+                let flow = units.facet_wind(*velocity);
+                Fit::<S>::vector(VELOCITY, flow.wind)?;
+                Ok(Some(FacetWind::new(flow)))
+            }
+            Some(_) => Err(SceneError::new("environment.wind.model", "aerodynamic wind is not among the basics")),
+        }
+    }
+
+    fn springs<L: Springs<S>>(_: &Units, table: &str, springs: L, damping: f64) -> Result<L, SceneError> {
+        if damping == 0.0 {
+            Ok(springs)
+        } else {
+            Err(SceneError::new(format!("{table}.damping"), "damped links are not among the basics"))
+        }
+    }
+}
+
+const VELOCITY: &str = "environment.wind.velocity";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::host::{Description, SolverKind};
+
+    const SCENE: &str = r#"
+        [cloth]
+        columns = 4
+        rows = 4
+        width = 1.0
+        height = 1.0
+        density = 0.2
+        pins = "left"
+        [stretch]
+        stiffness = 100.0
+        [shear]
+        stiffness = 10.0
+        [environment]
+        gravity = [0.0, 0.0, -9.81]
+        drag = 0.3
+        wind = { velocity = [1.0, 3.0, 0.5], model = "facet" }
+        [solver]
+        step = 0.02
+        substeps = 4
+    "#;
+
+    #[test]
+    fn basics_give_the_same_bits_as_everything() {
+        let mut scene = Description::parse(SCENE).unwrap();
+        for kind in SolverKind::ALL {
+            scene.solver.kind = kind;
+            let mut basics = scene.simulation_on::<Basics, f32, 4, 4>().unwrap();
+            let mut everything = scene.simulation_on::<Everything, f32, 4, 4>().unwrap();
+            for _ in 0..25 {
+                basics.frame();
+                everything.frame();
+            }
+            assert_eq!(basics.digest(), everything.digest(), "{kind:?}");
+        }
+    }
+
+    #[test]
+    fn basics_refuse_what_they_lack() {
+        let refused = |from: &str, to: &str| {
+            let scene = Description::parse(&SCENE.replace(from, to)).unwrap();
+            scene.simulation_on::<Basics, f32, 4, 4>().err().map(|error| error.key)
+        };
+        assert_eq!(refused("", ""), None);
+        assert_eq!(refused("stiffness = 10.0", "stiffness = 10.0\ndamping = 0.1").as_deref(), Some("shear.damping"));
+        assert_eq!(refused("facet", "aerodynamic").as_deref(), Some("environment.wind.model"));
+        assert_eq!(refused(" = 4\n        rows = 4", " = 8\n        rows = 8").as_deref(), Some("cloth.columns"));
+    }
+}
