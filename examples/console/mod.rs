@@ -26,6 +26,12 @@ pub(crate) fn exit(result: Result<(), String>) -> ExitCode {
     }
 }
 
+/// A line on the standard output.
+pub(crate) fn say(line: &str) {
+    // As above.
+    let _ = writeln!(io::stdout(), "{line}");
+}
+
 /// The command line, or the one line that says what is wrong with it. Help and version print themselves and exit.
 pub(crate) fn read<A: Parser>() -> Result<A, String> {
     A::try_parse().map_err(|error| {
@@ -75,4 +81,10 @@ pub(crate) fn load(scene: &str, named: &[BuiltIn]) -> Result<(String, Descriptio
 pub(crate) fn progress(what: &'static str, length: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg:>8} {wide_bar} {pos}/{len} {eta}").expect("a template");
     ProgressBar::new(length).with_style(style).with_message(what)
+}
+
+/// A number above zero.
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
+    let number: f64 = text.parse().map_err(|_| "not a number".to_string())?;
+    if number > 0.0 && number.is_finite() { Ok(number) } else { Err("must be finite and above zero".to_string()) }
 }

@@ -4,8 +4,8 @@ use std::time::{Duration, Instant};
 
 use kerchief::host::{Description, SceneError};
 
+use super::Start;
 use super::configuration::Configuration;
-use super::motion;
 use super::reference::{Frames, mean_square, size};
 
 /// A sheet whose error (sheet sizes) or strain has grown beyond this has blown up.
@@ -26,18 +26,19 @@ pub(crate) struct Measurement {
 impl Measurement {
     /// Runs a configuration for so many frames.
     pub(crate) fn of(
+        start: Start,
         scene: &Description,
         configuration: Configuration,
         frames: u32,
         reference: Option<&Frames>,
     ) -> Result<Self, SceneError> {
-        let mut moving = motion::moving(&configuration.of(scene), configuration.scalar)?;
+        let mut moving = start(&configuration.of(scene), configuration.scalar)?;
         let mut seen = Self { error: reference.map(|_| 0.0), strain: 0.0, time: Duration::ZERO };
         let mut squares = 0.0;
         for frame in 0..frames {
-            let start = Instant::now();
+            let begin = Instant::now();
             moving.frame();
-            seen.time += start.elapsed();
+            seen.time += begin.elapsed();
             let strains = moving.strains();
             let strain = strains.stretch.unwrap_or(strains.all).largest;
             seen.strain = seen.strain.max(strain);

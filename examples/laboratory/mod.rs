@@ -1,20 +1,19 @@
-//! What the laboratory's programs share: configurations, the reference, costs, plots, pages.
+//! What the laboratory's programs share: configurations, the reference, plots, pages.
 
 // Each program takes what it needs.
 #![allow(dead_code)]
 
-pub(crate) mod callgrind;
 pub(crate) mod configuration;
-pub(crate) mod cost;
-pub(crate) mod front;
 pub(crate) mod measurement;
-pub(crate) mod motion;
 pub(crate) mod page;
 pub(crate) mod plot;
 pub(crate) mod reference;
 pub(crate) mod scenes;
-pub(crate) mod study;
-pub(crate) mod verdict;
+
+use kerchief::host::{Description, ScalarKind, SceneError, Simulation};
+
+/// How a program sets scenes in motion.
+pub(crate) type Start = fn(&Description, ScalarKind) -> Result<Box<dyn Simulation>, SceneError>;
 
 /// Stack of a worker, bytes: grids of 64 × 64 pass through it.
 const STACK: usize = 64 << 20;

@@ -71,3 +71,11 @@ pub(crate) fn thousands(count: f64) -> String {
         _ => format!("{:.0} k", count / 1e3),
     }
 }
+
+/// A picture.
+pub(crate) fn write_png(directory: &Path, name: &str, picture: &image::RgbImage) -> Result<(), String> {
+    let mut file = Staged::create(directory, name)?;
+    let written = picture.write_with_encoder(image::codecs::png::PngEncoder::new(&mut file));
+    file.named(written)?;
+    file.finish()
+}

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
+use kerchief::host::{ScalarKind, SolverKind};
 use plotters::coord::ranged1d::ValueFormatter;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
@@ -33,6 +34,27 @@ pub(crate) enum Marker {
     Disc,
     Ring,
     Triangle,
+}
+
+/// A number type's mark in every plot.
+pub(crate) const fn marker(scalar: ScalarKind) -> Marker {
+    match scalar {
+        ScalarKind::F32 => Marker::Disc,
+        ScalarKind::F64 => Marker::Ring,
+        ScalarKind::Q24 => Marker::Triangle,
+    }
+}
+
+/// A solver's colour in every plot.
+pub(crate) const fn colour(solver: SolverKind) -> RGBColor {
+    match solver {
+        SolverKind::Lines => COLOURS[1],
+        SolverKind::Leapfrog => COLOURS[6],
+        SolverKind::Xpbd => COLOURS[4],
+        SolverKind::BackwardEuler => COLOURS[2],
+        SolverKind::Verlet => COLOURS[0],
+        SolverKind::ForwardEuler => COLOURS[3],
+    }
 }
 
 /// A curve.

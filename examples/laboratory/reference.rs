@@ -4,11 +4,11 @@ use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 
-use kerchief::host::{Description, ScalarKind, SolverKind};
+use kerchief::host::{Description, ScalarKind, SceneError, SolverKind};
 use serde::{Deserialize, Serialize};
 
+use super::Start;
 use super::configuration::Configuration;
-use super::motion;
 use crate::console::staging::{self, Staged};
 
 /// Substeps to begin with.
@@ -41,6 +41,7 @@ pub(crate) struct Reference {
 impl Reference {
     /// The solution of a scene, from `cache` if it is there.
     pub(crate) fn of(
+        start: Start,
         text: &str,
         scene: &Description,
         frames: u32,
@@ -59,7 +60,7 @@ impl Reference {
             reference.positions.truncate(frames as usize);
             return Ok(reference);
         }
-        let reference = Self::solve(text, scene, frames, tolerance)?;
+        let reference = Self::solve(start, text, scene, frames, tolerance)?;
         staging::prepare(cache)?;
         let mut file = Staged::create(cache, &name)?;
         let written = serde_json::to_writer(&mut file, &reference);
@@ -68,13 +69,15 @@ impl Reference {
         Ok(reference)
     }
 
-    fn solve(text: &str, scene: &Description, frames: u32, tolerance: f64) -> Result<Self, String> {
+    fn solve(start: Start, text: &str, scene: &Description, frames: u32, tolerance: f64) -> Result<Self, String> {
         let size = size(scene);
         let (mut substeps, mut coarse) = (FEWEST, None::<Frames>);
         let (mut before, mut limit, mut order) = (None::<f64>, None::<Frames>, None);
         let mut difference = f64::INFINITY;
         while substeps <= MOST {
-            let fine = record(scene, frames, substeps)?;
+            let (solver, scalar) = (SolverKind::Leapfrog, ScalarKind::F64);
+            let leapfrog = Configuration { solver, scalar, substeps, sweeps: 1 };
+            let fine = record(start, scene, leapfrog, frames).map_err(|error| error.to_string())?;
             if let (Some(fine), Some(coarse)) = (&fine, &coarse) {
                 let distance = rms(fine, coarse) / size;
                 order = before.map(|before: f64| (before / distance).log2());
@@ -101,7 +104,7 @@ pub(crate) fn size(scene: &Description) -> f64 {
 }
 
 /// Root of the mean squared distance of all particles at all times, m.
-fn rms(a: &Frames, b: &Frames) -> f64 {
+pub(crate) fn rms(a: &Frames, b: &Frames) -> f64 {
     let mean = |(a, b): (&Vec<[f64; 3]>, &Vec<[f64; 3]>)| mean_square(a, b);
     (a.iter().zip(b).map(mean).sum::<f64>() / a.len() as f64).sqrt()
 }
@@ -118,19 +121,22 @@ fn extrapolate(fine: &Frames, coarse: &Frames) -> Frames {
     fine.iter().zip(coarse).map(|(fine, coarse)| fine.iter().zip(coarse).map(particle).collect()).collect()
 }
 
-/// A solution by so many substeps; nothing if it blew up.
-fn record(scene: &Description, frames: u32, substeps: u32) -> Result<Option<Frames>, String> {
-    let (solver, scalar) = (SolverKind::Leapfrog, ScalarKind::F64);
-    let configuration = Configuration { solver, scalar, substeps, sweeps: 1 };
-    let mut moving = motion::moving(&configuration.of(scene), scalar).map_err(|error| error.to_string())?;
+/// Where every particle is at the end of every frame, m; nothing if the sheet blew up.
+pub(crate) fn record(
+    start: Start,
+    scene: &Description,
+    configuration: Configuration,
+    frames: u32,
+) -> Result<Option<Frames>, SceneError> {
+    let mut moving = start(&configuration.of(scene), configuration.scalar)?;
     let furthest = LOST * size(scene);
-    let start = moving.still().positions;
+    let first = moving.still().positions;
     let mut positions = Frames::new();
     for _ in 0..frames {
         moving.frame();
         let now = moving.still().positions;
         // Undefined is not near either.
-        if !(mean_square(&now, &start).sqrt() < furthest) {
+        if !(mean_square(&now, &first).sqrt() < furthest) {
             return Ok(None);
         }
         positions.push(now);

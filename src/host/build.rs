@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::description::{Description, Pose, Spring, Surface};
 use super::error::SceneError;
 use super::fit::Fit;
-use super::parts::{Parts, Springs};
+use super::parts::{Obstacles, Parts, Springs};
 use crate::cloth::Cloth;
 use crate::collider::{Capsule, Collider, Plane, Sphere};
 use crate::force::{Drag, Gravity};
@@ -74,11 +74,10 @@ impl<S: Scalar> Collider<S> for Obstacle<S> {
 
 /// Everything in the sheet's way.
 #[derive(Debug)]
-pub(super) struct Obstacles<S>(Vec<Obstacle<S>>);
+pub struct Solids<S>(Vec<Obstacle<S>>);
 
-impl<S: Scalar> Obstacles<S> {
-    /// Where the balls are, m.
-    pub(super) fn centres(&self, units: &Units) -> Vec<[f64; 3]> {
+impl<S: Scalar + Send> Obstacles<S> for Solids<S> {
+    fn centres(&self, units: &Units) -> Vec<[f64; 3]> {
         let centre = |obstacle: &Obstacle<S>| match obstacle {
             Obstacle::Sphere(sphere) => Some(sphere.centre.to_f64().map(|component| component * units.cell)),
             _ => None,
@@ -86,8 +85,7 @@ impl<S: Scalar> Obstacles<S> {
         self.0.iter().filter_map(centre).collect()
     }
 
-    /// Moves the balls to `centres`, m.
-    pub(super) fn set_centres(&mut self, units: &Units, centres: &[[f64; 3]]) {
+    fn set_centres(&mut self, units: &Units, centres: &[[f64; 3]]) {
         let spheres = self.0.iter_mut().filter_map(|obstacle| match obstacle {
             Obstacle::Sphere(sphere) => Some(sphere),
             _ => None,
@@ -98,7 +96,7 @@ impl<S: Scalar> Obstacles<S> {
     }
 }
 
-impl<S: Scalar> Collider<S> for Obstacles<S> {
+impl<S: Scalar> Collider<S> for Solids<S> {
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
         self.0.as_slice().contact(moment, position, moved)
     }
@@ -201,7 +199,7 @@ impl Description {
         Ok(SceneLinks { springs, limit, tether })
     }
 
-    pub(super) fn obstacles<S: Scalar>(&self, units: &Units) -> Result<Obstacles<S>, SceneError> {
+    pub(super) fn solids<S: Scalar>(&self, units: &Units) -> Result<Solids<S>, SceneError> {
         let mut obstacles = Vec::new();
         let reach = |table: &str, radius: f64, surface: &Surface| {
             // A contact compares squares of lengths that may be twice as long.
@@ -242,7 +240,7 @@ impl Description {
             let (radius, margin) = (units.length(capsule.radius), units.length(capsule.surface.margin));
             obstacles.push(Obstacle::Capsule(Capsule::new(a, b, radius, margin).with_friction(friction)));
         }
-        Ok(Obstacles(obstacles))
+        Ok(Solids(obstacles))
     }
 }
 

@@ -79,7 +79,7 @@ pub use description::{
 pub use error::SceneError;
 #[cfg(feature = "graphics")]
 pub use painter::Painter;
-pub use parts::{Basics, Everything, Parts, Springs};
+pub use parts::{Bare, Basics, Everything, Obstacles, Parts, Springs};
 pub use quantity::MOST;
 pub use run::{ScalarKind, Simulation, State, Still, Strain, Strains};
 pub use shape::SHAPES;

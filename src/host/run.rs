@@ -3,10 +3,10 @@
 use std::boxed::Box;
 use std::vec::Vec;
 
-use super::build::{Forces, Obstacles, SceneLinks, gravity};
+use super::build::{Forces, SceneLinks, gravity};
 use super::description::{Description, Wind};
 use super::error::SceneError;
-use super::parts::{Everything, Parts};
+use super::parts::{Everything, Obstacles, Parts};
 use super::shape::for_each_shape;
 use super::solver::{AnySolver, Memory};
 use crate::cloth::Cloth;
@@ -145,10 +145,10 @@ impl Description {
     /// If the scene has another grid or names what the parts do not have, or the number type does not hold a value.
     ///
     /// ```
-    /// use kerchief::host::{Basics, Counted, Description, built_in};
+    /// use kerchief::host::{Bare, Counted, Description, built_in};
     ///
     /// let scene = Description::parse(built_in("gravity").unwrap().text)?;
-    /// let mut simulation = scene.simulation_on::<Basics, Counted, 32, 32>()?;
+    /// let mut simulation = scene.simulation_on::<Bare, Counted, 32, 32>()?;
     /// Counted::reset();
     /// simulation.frame();
     /// assert!(Counted::operations().total() > 0);
@@ -179,7 +179,7 @@ fn shaped<S: Scalar + Send>(description: &Description) -> Result<Box<dyn Simulat
 struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     units: Units,
     gravity: [f64; 3],
-    scene: Scene<Forces<S, P>, SceneLinks<S, P>, Obstacles<S>, AnySolver>,
+    scene: Scene<Forces<S, P>, SceneLinks<S, P>, P::Obstacles, AnySolver>,
     cloth: Box<Cloth<S, W, H>>,
     /// Inverse masses of the sheet without pins.
     unpinned: Box<Grid<S, W, H>>,
@@ -195,7 +195,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S
             cloth.pin(Node { column, row });
         }
         let forces = description.forces::<S, P>(&units)?;
-        let (links, obstacles) = (description.links::<S, P>(&units)?, description.obstacles(&units)?);
+        let (links, obstacles) = (description.links::<S, P>(&units)?, P::obstacles(description, &units)?);
         let scene = Scene::new(&units, forces, links, obstacles, AnySolver::new::<S>(description)?);
         let memory = scene.memory();
         Ok(Box::new(Self { units, gravity: description.gravity, scene, cloth, unpinned, memory }))

@@ -1,23 +1,29 @@
 //! What accuracy costs: `cargo run --release --example work_precision -- --help`.
 
-#[path = "console/mod.rs"]
+mod callgrind;
+#[path = "../console/mod.rs"]
 mod console;
+mod cost;
+mod front;
+#[path = "../laboratory/mod.rs"]
 mod laboratory;
+mod lean;
+mod study;
+mod verdict;
 
-use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, ValueEnum, value_parser};
 use kerchief::host::{MOST, ScalarKind, SolverKind};
 
-use console::{progress, scalar_kind, solver_kind, staging};
+use console::{positive, progress, say, scalar_kind, solver_kind, staging};
 use laboratory::configuration::Choice;
 use laboratory::page::{self, Page};
+use laboratory::prepare_workers;
 use laboratory::scenes::{GOALS, STRAIN_ONLY, named};
-use laboratory::study::{Study, Subject};
-use laboratory::verdict::Wishes;
-use laboratory::{callgrind, prepare_workers};
+use study::{Study, Subject};
+use verdict::Wishes;
 
 /// Runs scenes in many ways and puts their error and strain against what they cost.
 #[derive(Debug, Parser)]
@@ -76,11 +82,6 @@ enum Cost {
     Operations,
 }
 
-fn positive(text: &str) -> Result<f64, String> {
-    let number: f64 = text.parse().map_err(|_| "not a number".to_string())?;
-    if number > 0.0 && number.is_finite() { Ok(number) } else { Err("must be finite and above zero".to_string()) }
-}
-
 fn main() -> ExitCode {
     console::exit(callgrind::answer().unwrap_or_else(|| console::read().and_then(|args: Args| run(&args))))
 }
@@ -97,9 +98,8 @@ fn run(args: &Args) -> Result<(), String> {
     };
     staging::prepare(&args.out)?;
     prepare_workers()?;
-    let mut out = std::io::stdout();
     if !callgrind && args.cost.is_none() {
-        let _ = writeln!(out, "valgrind is not there: cost is operations, not instructions");
+        say("valgrind is not there: cost is operations, not instructions");
     }
     let bar = progress("runs", 0);
     let mut studies = Vec::new();
@@ -109,9 +109,9 @@ fn run(args: &Args) -> Result<(), String> {
     bar.finish_and_clear();
     args.write(&studies)?;
     for study in &studies {
-        let _ = writeln!(out, "{}", study.advice(&args.wishes()));
+        say(&study.advice(&args.wishes()));
     }
-    let _ = writeln!(out, "written to {}", args.out.display());
+    say(&format!("written to {}", args.out.display()));
     Ok(())
 }
 

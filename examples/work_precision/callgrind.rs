@@ -6,8 +6,8 @@ use std::process::{Command, Stdio};
 
 use kerchief::host::{Description, Simulation};
 
-use super::configuration::Configuration;
-use super::motion;
+use crate::laboratory::configuration::Configuration;
+use crate::lean;
 
 /// The first word of the command line by which the program is told to move a sheet and nothing else.
 const WORD: &str = "frames-for-callgrind";
@@ -31,7 +31,7 @@ pub(crate) fn answer() -> Option<Result<(), String>> {
         io::stdin().read_to_string(&mut text).map_err(|error| error.to_string())?;
         let scene = Description::parse(&text).map_err(|error| error.to_string())?;
         let scene = configuration.of(&scene);
-        let mut moving = motion::moving(&scene, configuration.scalar).map_err(|error| error.to_string())?;
+        let mut moving = lean::moving(&scene, configuration.scalar).map_err(|error| error.to_string())?;
         for _ in 0..BEFORE {
             moving.frame();
         }

@@ -7,10 +7,11 @@ use kerchief::host::Description;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::configuration::{Choice, Configuration};
-use super::cost::{self, PerParticle};
-use super::measurement::Measurement;
-use super::reference::Reference;
+use crate::cost::{self, PerParticle};
+use crate::laboratory::configuration::{Choice, Configuration};
+use crate::laboratory::measurement::Measurement;
+use crate::laboratory::reference::Reference;
+use crate::lean;
 
 /// A configuration and what was seen of it.
 #[derive(Clone, Debug)]
@@ -58,12 +59,13 @@ impl Subject {
         let configurations = choice.configurations();
         for &configuration in &configurations {
             // What a number type does not hold is said before anything is run.
-            let probe = super::motion::moving(&configuration.of(&self.scene), configuration.scalar);
+            let probe = lean::moving(&configuration.of(&self.scene), configuration.scalar);
             probe.map_err(|error| in_scene(&error))?;
         }
         bar.inc_length(configurations.len() as u64 + 1);
         let reference = self.tolerance.map(|tolerance| {
-            Reference::of(&self.text, &self.scene, self.frames, tolerance, cache).map_err(|error| in_scene(&error))
+            Reference::of(lean::moving, &self.text, &self.scene, self.frames, tolerance, cache)
+                .map_err(|error| in_scene(&error))
         });
         let reference = reference.transpose()?;
         bar.inc(1);
@@ -73,7 +75,8 @@ impl Subject {
         };
         let point = |&configuration: &Configuration| {
             let positions = reference.as_ref().map(|reference| &reference.positions);
-            let seen = Measurement::of(&self.scene, configuration, self.frames, positions).map_err(|e| in_scene(&e))?;
+            let seen = Measurement::of(lean::moving, &self.scene, configuration, self.frames, positions)
+                .map_err(|e| in_scene(&e))?;
             let is_whole = seen.strain.is_finite();
             let operations = is_whole.then(|| cost::operations(&self.scene, configuration, self.frames)).flatten();
             let units = operations.map_or(f64::from(configuration.substeps), PerParticle::total);

@@ -6,9 +6,9 @@ use indicatif::ProgressBar;
 use kerchief::host::{Counted, Description, Operations, ScalarKind};
 use rayon::prelude::*;
 
-use super::callgrind;
-use super::configuration::Configuration;
-use super::motion;
+use crate::callgrind;
+use crate::laboratory::configuration::Configuration;
+use crate::lean;
 
 /// Where in a run frames are counted, as parts of its length.
 const LOOKS: [f64; 3] = [0.25, 0.5, 0.75];
@@ -48,8 +48,8 @@ impl PerParticle {
 /// no counting sheet is compiled for the scene.
 pub(crate) fn operations(scene: &Description, configuration: Configuration, frames: u32) -> Option<PerParticle> {
     let scene = configuration.of(scene);
-    let mut counted = motion::counted(&scene)?.ok()?;
-    let mut moving = motion::moving(&scene, ScalarKind::F32).ok()?;
+    let mut counted = lean::counted(&scene)?.ok()?;
+    let mut moving = lean::moving(&scene, ScalarKind::F32).ok()?;
     let (mut now, mut sum) = (0, Operations::default());
     for look in LOOKS {
         let then = (look * f64::from(frames)) as u32;
@@ -67,7 +67,7 @@ pub(crate) fn operations(scene: &Description, configuration: Configuration, fram
 
 /// The operations, of all particles together, of the frame that callgrind looks at.
 fn operations_looked_at(scene: &Description, configuration: Configuration) -> Option<u64> {
-    let mut counted = motion::counted(&configuration.of(scene))?.ok()?;
+    let mut counted = lean::counted(&configuration.of(scene))?.ok()?;
     (0..callgrind::BEFORE).for_each(|_| counted.frame());
     Counted::reset();
     counted.frame();
@@ -79,10 +79,18 @@ fn operations_looked_at(scene: &Description, configuration: Configuration) -> Op
 pub(crate) struct Exchange(Vec<(u32, f64)>);
 
 impl Exchange {
-    /// Instructions of a frame of `operations`.
+    /// Instructions of a frame of `operations`, at a rate between those of the anchors around it.
     pub(crate) fn instructions(&self, substeps: u32, operations: f64) -> f64 {
-        let nearest = self.0.iter().min_by_key(|(anchor, _)| anchor.abs_diff(substeps));
-        nearest.map_or(f64::NAN, |(_, rate)| rate * operations)
+        let place = |&(anchor, rate): &(u32, f64)| (f64::from(anchor).ln(), rate.ln());
+        let at = f64::from(substeps).ln();
+        let below = self.0.iter().map(place).filter(|(anchor, _)| *anchor <= at).last();
+        let above = self.0.iter().map(place).find(|(anchor, _)| *anchor > at);
+        let rate = match (below, above) {
+            (Some((left, low)), Some((right, high))) => low + (high - low) * (at - left) / (right - left),
+            (Some((_, rate)), None) | (None, Some((_, rate))) => rate,
+            (None, None) => f64::NAN,
+        };
+        rate.exp() * operations
     }
 
     /// By how much the rates at all anchors differ, as a part of them.
@@ -134,6 +142,7 @@ pub(crate) fn exchanges(
     };
     let rates: Vec<_> = anchors.par_iter().map(rate).collect::<Result<_, _>>()?;
     let mut exchanges: BTreeMap<Group, Exchange> = BTreeMap::new();
+    // anchors ascend
     for (configuration, rate) in rates {
         exchanges
             .entry(group(configuration))

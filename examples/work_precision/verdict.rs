@@ -5,11 +5,11 @@ use std::path::Path;
 
 use kerchief::host::{ScalarKind, SolverKind};
 
-use super::configuration::Configuration;
-use super::front::{best_within, cheapest, front};
-use super::page::{Page, scientific, thousands};
-use super::plot::{Axis, COLOURS, Curve, Marker, Plot};
-use super::study::{Point, Study};
+use crate::front::{best_within, cheapest, front};
+use crate::laboratory::configuration::Configuration;
+use crate::laboratory::page::{Page, scientific, thousands};
+use crate::laboratory::plot::{Axis, Curve, Marker, Plot, colour, marker};
+use crate::study::{Point, Study};
 
 /// What the reader wants.
 #[derive(Clone, Debug)]
@@ -205,7 +205,7 @@ impl Study {
             let own = self.own(points, solver, scalar);
             curves.push(Curve {
                 name: format!("{} {}", solver.name(), scalar.name()),
-                colour: COLOURS[SolverKind::ALL.iter().position(|&kind| kind == solver).unwrap_or(0)],
+                colour: colour(solver),
                 marker: marker(scalar),
                 width: 1,
                 points: front(&own).into_iter().map(|index| own[index]).collect(),
@@ -235,14 +235,5 @@ impl Study {
             curves,
             notes,
         }
-    }
-}
-
-/// A number type's mark in every plot.
-pub(crate) const fn marker(scalar: ScalarKind) -> Marker {
-    match scalar {
-        ScalarKind::F32 => Marker::Disc,
-        ScalarKind::F64 => Marker::Ring,
-        ScalarKind::Q24 => Marker::Triangle,
     }
 }
