@@ -16,9 +16,12 @@ use clap::{Parser, value_parser};
 use kerchief::host::{Description, MOST};
 
 use console::{progress, staging};
-use laboratory::page::Page;
+use energy::Energies;
+use floors::Floors;
+use laboratory::page::{Page, write_csv};
 use laboratory::prepare_workers;
 use laboratory::scenes::{ORDERS, named};
+use orders::Orders;
 
 /// Shows how fast every solver converges, what it does to energy, and what every number type loses to rounding.
 #[derive(Debug, Parser)]
@@ -69,17 +72,18 @@ fn run(args: &Args) -> Result<(), String> {
     let bar = progress("runs", 0);
     let mut page = Page::default();
     page.paragraph("# Convergence");
-    let mut rows = Vec::new();
+    let mut found = Vec::new();
     for (text, scene) in &scenes {
         let frames = args.frames.unwrap_or(scene.frames);
-        let found = orders::Orders::of(text, scene, frames, &substeps, &args.cache, &bar)?;
-        found.report(&mut page, &args.out)?;
-        rows.extend(found.rows());
-        floors::Floors::of(scene, &found, &bar)?.report(&mut page, &args.out)?;
+        let orders = Orders::of(text, scene, frames, &substeps, &args.cache, &bar)?;
+        orders.report(&mut page, &args.out)?;
+        Floors::of(scene, &orders, &bar)?.report(&mut page, &args.out)?;
+        found.push(orders);
     }
-    laboratory::page::write_csv(&args.out, "orders.csv", &rows)?;
+    let rows: Vec<_> = found.iter().flat_map(Orders::rows).collect();
+    write_csv(&args.out, "orders.csv", &rows)?;
     let frames = (args.seconds / swinging.solver.step).round().max(1.0) as u32;
-    energy::Energies::of(&swinging, frames, args.energy_substeps, &bar)?.report(&mut page, &args.out)?;
+    Energies::of(&swinging, frames, args.energy_substeps, &bar)?.report(&mut page, &args.out)?;
     bar.finish_and_clear();
     page.write(&args.out, "convergence.md")?;
     console::say(&format!("written to {}", args.out.display()));

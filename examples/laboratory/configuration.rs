@@ -54,6 +54,9 @@ pub(crate) const fn has_sweeps(solver: SolverKind) -> bool {
     matches!(solver, SolverKind::Verlet | SolverKind::BackwardEuler | SolverKind::Lines)
 }
 
+/// Sweeps that cost about as much as a Newton step with its conjugate gradients.
+const NEWTON: u32 = 32;
+
 /// Which configurations are compared.
 #[derive(Clone, Debug)]
 pub(crate) struct Choice {
@@ -62,7 +65,7 @@ pub(crate) struct Choice {
     pub(crate) substeps: Vec<u32>,
     /// The same for every solver that has sweeps; what is usual for each where there are none.
     pub(crate) sweeps: Vec<u32>,
-    /// The most sweeps in a frame.
+    /// The most sweeps in a frame; a Newton step counts as [`NEWTON`] of them.
     pub(crate) work: u32,
 }
 
@@ -73,8 +76,8 @@ impl Choice {
         for &solver in &self.solvers {
             for &sweeps in self.sweeps(solver) {
                 for &scalar in &self.scalars {
-                    let substeps =
-                        self.substeps.iter().filter(|&&substeps| substeps.saturating_mul(sweeps) <= self.work);
+                    let work = sweeps.saturating_mul(if solver == SolverKind::BackwardEuler { NEWTON } else { 1 });
+                    let substeps = self.substeps.iter().filter(|&&substeps| substeps.saturating_mul(work) <= self.work);
                     all.extend(substeps.map(|&substeps| Configuration { solver, scalar, substeps, sweeps }));
                 }
             }

@@ -44,7 +44,7 @@ struct Args {
     /// Sweeps per substep, of every solver that has them; without, what is usual for each
     #[arg(long, value_name = "N,…", value_delimiter = ',', value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     sweeps: Vec<u32>,
-    /// The most substeps × sweeps in a frame; what has more is left out
+    /// The most substeps × sweeps in a frame, a Newton step counting as 32; what has more is left out
     #[arg(long, value_name = "N", default_value_t = 256, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     work: u32,
     /// How long the motion is looked at, s; without, as long as the scene runs but no longer than 2 s where position errors are measured

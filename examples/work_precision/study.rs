@@ -1,5 +1,6 @@
 //! A scene solved in many ways: what each costs and how wrong it is.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use indicatif::ProgressBar;
@@ -41,8 +42,9 @@ pub(crate) struct Study {
     pub(crate) subject: Subject,
     pub(crate) reference: Option<Reference>,
     pub(crate) points: Vec<Point>,
-    /// By how much instructions per operation differ within a solver and number type, at most, as a part of them; without callgrind nothing.
-    pub(crate) spread: Option<f64>,
+    /// By how much instructions per operation differ with the number of substeps, as a part of them, the largest for each solver and number
+    /// type; without callgrind nothing.
+    pub(crate) spread: Option<BTreeMap<[&'static str; 2], f64>>,
 }
 
 impl Subject {
@@ -92,7 +94,14 @@ impl Subject {
                 point.time_ratio = point.seen.time.as_secs_f64() / first;
             }
         }
-        let spread = exchanges.map(|all| all.values().map(cost::Exchange::spread).fold(0.0, f64::max));
+        let spread = exchanges.map(|exchanges| {
+            let mut spread = BTreeMap::new();
+            for ((solver, scalar, _), exchange) in &exchanges {
+                let largest: &mut f64 = spread.entry([*solver, *scalar]).or_default();
+                *largest = largest.max(exchange.spread());
+            }
+            spread
+        });
         Ok(Study { subject: self, reference, points, spread })
     }
 }

@@ -30,6 +30,9 @@ enum Quality {
 const COSTS: (f64, f64) = (1.0, 1e9);
 const QUALITIES: (f64, f64) = (1e-9, 1.0);
 
+/// What varies by less, as a part of it, does not vary.
+const STEADY: f64 = 0.05;
+
 impl Quality {
     const fn name(self) -> &'static str {
         match self {
@@ -128,8 +131,18 @@ impl Study {
                 scientific(reference.difference)
             )
         });
-        let spread = self.spread.map_or(String::new(), |spread| {
-            format!(" Instructions per operation vary by {:.1} % at most with the number of substeps.", 100.0 * spread)
+        let spread = self.spread.as_ref().map_or(String::new(), |spread| {
+            let (steady, others): (Vec<_>, Vec<_>) = spread.iter().partition(|(_, spread)| **spread <= STEADY);
+            let most = steady.iter().map(|(_, spread)| **spread).fold(0.0, f64::max);
+            let words = |([solver, scalar], spread): &(&[&str; 2], &f64)| {
+                format!("{solver} {scalar} by {:.0} %", 100.0 * **spread)
+            };
+            let others: Vec<_> = others.iter().map(words).collect();
+            let but = if others.is_empty() { String::new() } else { format!("; but {}", others.join(", ")) };
+            format!(
+                " Instructions per operation vary by {:.1} % at most with the number of substeps{but}.",
+                100.0 * most
+            )
         });
         format!("{sheet} {reference}{spread}")
     }
