@@ -210,7 +210,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
 
     fn still(&self) -> Still {
         Still {
-            positions: scaled(self.cloth.position.0.as_flattened(), self.units.cell),
+            positions: scaled(&mut self.cloth.position.values(), self.units.cell),
             spheres: self.scene.colliders.centres(&self.units),
         }
     }
@@ -243,7 +243,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
         let speed = self.units.cell / self.units.tick();
         State {
             still: self.still(),
-            velocities: scaled(self.cloth.velocity.0.as_flattened(), speed),
+            velocities: scaled(&mut self.cloth.velocity.values(), speed),
             pinned: self.cloth.inverse_mass.0.as_flattened().iter().map(|inverse| *inverse == S::ZERO).collect(),
         }
     }
@@ -254,8 +254,9 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
         for (index, inverse_mass) in inverse_mass.0.as_flattened_mut().iter_mut().enumerate() {
             *inverse_mass = if state.pinned[index] { S::ZERO } else { unpinned[index] };
         }
-        read(position.0.as_flattened_mut(), &state.still.positions, |x| self.units.point(x).0);
-        read(velocity.0.as_flattened_mut(), &state.velocities, |v| self.units.velocity(v).0);
+        let (mut positions, mut velocities) = (state.still.positions.iter(), state.velocities.iter());
+        position.change(|x| positions.next().map_or(x, |&metres| self.units.point(metres).to_vec()));
+        velocity.change(|v| velocities.next().map_or(v, |&speed| Vec3::from_f64(self.units.velocity(speed).0)));
         self.scene.colliders.set_centres(&self.units, &state.still.spheres);
         self.memory = self.scene.memory();
     }
@@ -281,16 +282,9 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
     }
 }
 
-// Functions of slices: they are compiled for each number type, not for each grid.
-
-fn scaled<S: Scalar>(vectors: &[Vec3<S>], unit: f64) -> Vec<[f64; 3]> {
-    vectors.iter().map(|vector| vector.to_f64().map(|component| component * unit)).collect()
-}
-
-fn read<S: Scalar>(vectors: &mut [Vec3<S>], values: &[[f64; 3]], units: impl Fn([f64; 3]) -> [f64; 3]) {
-    for (vector, value) in vectors.iter_mut().zip(values) {
-        *vector = Vec3::from_f64(units(*value));
-    }
+/// Compiled for each number type, not for each grid.
+fn scaled<S: Scalar>(vectors: &mut dyn Iterator<Item = Vec3<S>>, unit: f64) -> Vec<[f64; 3]> {
+    vectors.map(|vector| vector.to_f64().map(|component| component * unit)).collect()
 }
 
 fn strain<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, links: &impl Links<S>) -> Strain {

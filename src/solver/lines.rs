@@ -13,18 +13,20 @@
 
 mod chain;
 mod damp;
+mod pairs;
 mod predict;
 mod relax;
 
 use crate::cloth::Cloth;
 use crate::collider::Collider;
 use crate::force::Force;
-use crate::grid::{Grid, Node};
+use crate::grid::Grid;
 use crate::link::Links;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine};
 use crate::vec3::Vec3;
+use crate::vectors::Vectors;
 
 use damp::{Act, Damp};
 use relax::Relax;
@@ -62,11 +64,13 @@ const WARM_OTHERS: f64 = 0.8;
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
 
+const TOLERANCE: f64 = 0.02;
+
 /// What a sheet's motion leaves behind.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
     /// The velocity before the last substep, cells per tick.
-    earlier: Grid<Vec3<S>, W, H>,
+    earlier: Vectors<S, W, H>,
     /// The multiplier of each link, at its upper or left particle, in cells over the dividend of the link's strength.
     tension: [Grid<S, W, H>; N],
     history: History,
@@ -90,7 +94,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
 
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
         const { assert!(N >= 2, "the line solver remembers rows and columns at least") };
-        Memory { earlier: Grid::filled(Vec3::ZERO), tension: [Grid::filled(S::ZERO); N], history: History::None }
+        Memory { earlier: Vectors::filled(Vec3::ZERO), tension: [Grid::filled(S::ZERO); N], history: History::None }
     }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
@@ -114,7 +118,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         };
         let response = part.divide(S::ONE + part * physics.forces.drag().rate);
         let softness = part * response;
-        let damp = |cloth: &mut Cloth<S, W, H>, start: &Grid<Vec3<S>, W, H>, act: Act| {
+        let damp = |cloth: &mut Cloth<S, W, H>, start: &Vectors<S, W, H>, act: Act| {
             if L::DAMPED {
                 physics.links.dampers(&mut Damp { cloth, start, moment, part, response, act });
             }
@@ -130,10 +134,15 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         } else {
             relax.forget();
         }
+        let tolerance = S::from_f64(TOLERANCE);
+        let mut met = S::ZERO;
         for sweep in 0..self.sweeps {
-            relax.sweep(physics.links, sweep);
+            met = relax.sweep(physics.links, sweep);
+            if met <= tolerance {
+                break;
+            }
         }
-        let rough = relax.is_rough();
+        let rough = met > S::from_f64(ROUGH);
         if S::FLOATS {
             scale(&mut cloth.velocity, unit);
         }
@@ -150,35 +159,31 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
 /// Moves a particle by a link. Floats, whose scale is free, keep displacements in the place of velocities meanwhile: that saves a product for every
 /// number that a link changes.
 #[inline(always)]
-fn displace<S: Scalar, const W: usize, const H: usize>(
-    cloth: &mut Cloth<S, W, H>,
-    node: Node,
+fn displace<S: Scalar, const W: usize>(
+    position: &mut Vec3<[S; W]>,
+    velocity: &mut Vec3<[S; W]>,
+    column: usize,
     by: Vec3<S>,
     moment: Moment,
 ) {
-    if S::FLOATS {
-        cloth.position[node] += by;
-        cloth.velocity[node] += by;
-    } else {
-        cloth.displace(node, by, moment);
-    }
+    position.add(column, by);
+    velocity.add(column, if S::FLOATS { by } else { moment.velocity(by) });
 }
 
-/// Moves both ends of a link.
+/// Moves a row.
 #[inline(always)]
-fn pull<S: Scalar, const W: usize, const H: usize>(
+fn displace_row<S: Scalar, const W: usize, const H: usize>(
     cloth: &mut Cloth<S, W, H>,
-    [a, b]: [Node; 2],
-    by: Vec3<S>,
+    row: usize,
+    by: impl Fn(usize) -> Vec3<S>,
     moment: Moment,
 ) {
-    let (wa, wb) = (cloth.inverse_mass[a], cloth.inverse_mass[b]);
-    displace(cloth, a, by * wa, moment);
-    displace(cloth, b, -by * wb, moment);
+    let (position, velocity) = (&mut cloth.position.0[row], &mut cloth.velocity.0[row]);
+    for column in 0..W {
+        displace(position, velocity, column, by(column), moment);
+    }
 }
 
-fn scale<S: Scalar, const W: usize, const H: usize>(vectors: &mut Grid<Vec3<S>, W, H>, factor: S) {
-    for v in vectors.values_mut() {
-        *v = *v * factor;
-    }
+fn scale<S: Scalar, const W: usize, const H: usize>(vectors: &mut Vectors<S, W, H>, factor: S) {
+    vectors.change(|v| v * factor);
 }

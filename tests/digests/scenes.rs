@@ -195,7 +195,7 @@ fn moving_pin_and_ball<S: Scalar, V: Solver<S>>(solver: V, substeps: u32) -> Out
     let mut memory = scene.memory();
     let step = Vec3::from_f64([-0.05, 0.02, 0.1]);
     for _ in 0..FRAMES {
-        let target = cloth.position[hand] + step;
+        let target = cloth.position.at(hand) + step;
         scene.move_pin(&mut cloth, hand, target);
         scene.step(&mut cloth, &mut memory);
         scene.advance();
