@@ -9,14 +9,14 @@ use serde::Serialize;
 
 use crate::laboratory::configuration::Configuration;
 use crate::laboratory::page::{Page, write_csv};
-use crate::laboratory::plot::{Axis, COLOURS, Curve, Marker, Plot};
+use crate::laboratory::plot::{Axis, Curve, Marker, Plot};
 use crate::laboratory::reference::size;
-use crate::usual::{USUAL, name, usual};
+use crate::usual::{USUAL, colour_of, name, usual};
 
 /// How many times as many substeps leapfrog takes.
 const LEAPFROG: u32 = 16;
-/// Changes beyond this are not drawn, percent.
-const DRAWN: (f64, f64) = (-50.0, 25.0);
+/// Changes beyond these are not drawn, percent.
+const DRAWN: (f64, f64) = (-20.0, 20.0);
 /// A sheet whose energy has changed by more has blown up, percent.
 const LOST: f64 = 1000.0;
 
@@ -120,11 +120,11 @@ impl Energies {
     }
 
     fn plot(&self) -> Plot<'_> {
-        let curve = |(index, (configuration, changes)): (usize, &(Configuration, Vec<f64>))| {
+        let curve = |(configuration, changes): &(Configuration, Vec<f64>)| {
             let place = |(frame, change): (usize, &f64)| ((frame + 1) as f64 * self.step, *change);
             Curve {
                 name: format!("{}, {}", words(*configuration), configuration.substeps),
-                colour: COLOURS[index],
+                colour: colour_of((configuration.solver, configuration.sweeps)),
                 marker: Marker::None,
                 width: 2,
                 points: core::iter::once((0.0, 0.0)).chain(changes.iter().enumerate().map(place)).collect(),
@@ -136,8 +136,12 @@ impl Energies {
                 Axis { words: "time, s", log: false, bounds: (0.0, 1e6) },
                 Axis { words: "change of energy, % of mass × gravity × size", log: false, bounds: DRAWN },
             ],
-            curves: self.courses.iter().enumerate().map(curve).collect(),
-            notes: vec!["After the comma:".to_string(), "substeps per frame.".to_string()],
+            curves: self.courses.iter().map(curve).collect(),
+            notes: vec![
+                "After the comma:".to_string(),
+                "substeps per frame.".to_string(),
+                "Beyond ±20 %: not drawn.".to_string(),
+            ],
         }
     }
 }

@@ -8,10 +8,10 @@ use rayon::prelude::*;
 
 use crate::laboratory::configuration::Configuration;
 use crate::laboratory::page::{Page, scientific};
-use crate::laboratory::plot::{Axis, COLOURS, Curve, Plot, marker};
+use crate::laboratory::plot::{Axis, Curve, Plot, marker};
 use crate::laboratory::reference::{record, rms, size};
 use crate::orders::Orders;
-use crate::usual::{USUAL, name};
+use crate::usual::{USUAL, colour_of, name};
 
 /// Number types that are held against `f64`.
 const TYPES: [ScalarKind; 2] = [ScalarKind::F32, ScalarKind::Q24];
@@ -116,7 +116,7 @@ impl Floors {
             let place = |point: &Point| (f64::from(point.configuration.substeps), point.rounding);
             Curve {
                 name: format!("{} {}", name(solver, sweeps), scalar.name()),
-                colour: COLOURS[index],
+                colour: colour_of((solver, sweeps)),
                 marker: marker(scalar),
                 width: 1,
                 points: self.own(index, scalar).map(place).collect(),

@@ -11,9 +11,9 @@ use serde::Serialize;
 use crate::laboratory::configuration::Configuration;
 use crate::laboratory::measurement::Measurement;
 use crate::laboratory::page::{Page, scientific};
-use crate::laboratory::plot::{Axis, COLOURS, Curve, Marker, Plot};
+use crate::laboratory::plot::{Axis, Curve, Marker, Plot};
 use crate::laboratory::reference::Reference;
-use crate::usual::{USUAL, name, usual};
+use crate::usual::{USUAL, colour_of, name, usual};
 
 /// How close the reference has to come to its limit, sheet sizes.
 const TOLERANCE: f64 = 1e-9;
@@ -128,7 +128,7 @@ impl Orders {
             let step = |(substeps, error): &(u32, f64)| (self.step / f64::from(*substeps), *error);
             Curve {
                 name: name(solver, sweeps),
-                colour: COLOURS[index],
+                colour: colour_of((solver, sweeps)),
                 marker: Marker::Disc,
                 width: 2,
                 points: self.own(index).iter().map(step).collect(),

@@ -6,7 +6,7 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::hammock::{Hammock, Outcome};
+use crate::awning::{Awning, Outcome};
 use crate::laboratory::page::{Page, scientific, write_csv, write_png};
 use crate::laboratory::plot::{Axis, COLOURS, Curve, Marker, Plot};
 use crate::strip::strip;
@@ -20,7 +20,7 @@ const PICTURES: usize = 4;
 /// One sheet for each grid, the finest last.
 #[derive(Clone, Debug)]
 pub(crate) struct Grids {
-    hammock: Hammock,
+    awning: Awning,
     outcomes: Vec<Outcome>,
 }
 
@@ -37,14 +37,14 @@ struct Row {
 
 impl Grids {
     /// Runs the sheet on all grids.
-    pub(crate) fn of(hammock: Hammock, sides: &[usize], bar: &ProgressBar) -> Result<Self, String> {
+    pub(crate) fn of(awning: Awning, sides: &[usize], bar: &ProgressBar) -> Result<Self, String> {
         bar.inc_length(sides.len() as u64);
         let run = |&side: &usize| {
-            let outcome = hammock.outcome(side);
+            let outcome = awning.outcome(side);
             bar.inc(1);
             outcome
         };
-        Ok(Self { hammock, outcomes: sides.par_iter().map(run).collect::<Result<_, _>>()? })
+        Ok(Self { awning, outcomes: sides.par_iter().map(run).collect::<Result<_, _>>()? })
     }
 
     fn rows(&self) -> Vec<Row> {
@@ -152,7 +152,7 @@ impl Grids {
             (0..PICTURES.min(count)).map(|k| &self.outcomes[k * (count - 1) / (PICTURES.min(count) - 1).max(1)]);
         let mut panels = Vec::new();
         for outcome in shown {
-            let scene = self.hammock.scene(outcome.side)?;
+            let scene = self.awning.scene(outcome.side)?;
             let studio = Studio::new(&scene, [&outcome.still], SIDE)?;
             let picture = studio.picture(&outcome.still);
             panels.push((picture, format!("{0} x {0}", outcome.side)));

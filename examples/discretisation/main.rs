@@ -1,9 +1,9 @@
 //! What the grid and the material do to the result: `cargo run --release --example discretisation -- --help`.
 
+mod awning;
 #[path = "../console/mod.rs"]
 mod console;
 mod grids;
-mod hammock;
 #[path = "../laboratory/mod.rs"]
 mod laboratory;
 mod parameters;
@@ -18,9 +18,9 @@ use std::process::ExitCode;
 use clap::{Parser, value_parser};
 use kerchief::host::MOST;
 
+use awning::Awning;
 use console::{progress, staging};
 use grids::Grids;
-use hammock::Hammock;
 use laboratory::page::Page;
 use laboratory::prepare_workers;
 use parameters::Parameters;
@@ -67,13 +67,13 @@ fn run(args: &Args) -> Result<(), String> {
     }
     staging::prepare(&args.out)?;
     prepare_workers()?;
-    let hammock = Hammock { substeps: args.substeps, seconds: args.seconds, ..Hammock::default() };
+    let awning = Awning { substeps: args.substeps, seconds: args.seconds, ..Awning::default() };
     let bar = progress("sheets", 0);
     let mut page = Page::default();
     page.paragraph("# Grid and material");
-    page.paragraph(&hammock.words());
-    Grids::of(hammock, &sides, &bar)?.report(&mut page, &args.out)?;
-    Parameters::of(hammock, args.side, &bar)?.report(&mut page, &args.out)?;
+    page.paragraph(&awning.words());
+    Grids::of(awning, &sides, &bar)?.report(&mut page, &args.out)?;
+    Parameters::of(awning, args.side, &bar)?.report(&mut page, &args.out)?;
     bar.finish_and_clear();
     page.write(&args.out, "discretisation.md")?;
     console::say(&format!("written to {}", args.out.display()));

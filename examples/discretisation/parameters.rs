@@ -7,7 +7,7 @@ use kerchief::material::Material;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::hammock::{Hammock, Outcome, STEP};
+use crate::awning::{Awning, Outcome, STEP};
 use crate::laboratory::page::{Page, scientific, write_csv, write_png};
 use crate::laboratory::plot::{Axis, COLOURS, Curve, Marker, Plot};
 use crate::strip::strip;
@@ -47,8 +47,8 @@ impl Property {
     }
 
     /// The sheet with that property changed by a factor, and the property's value in words.
-    fn changed(self, hammock: &Hammock, factor: f64) -> (Hammock, String) {
-        let mut changed = *hammock;
+    fn changed(self, awning: &Awning, factor: f64) -> (Awning, String) {
+        let mut changed = *awning;
         let Material { density, stretch, shear, bend, .. } = &mut changed.material;
         let (property, unit) = match self {
             Self::Stiffness => (stretch, "N/m"),
@@ -57,11 +57,11 @@ impl Property {
             Self::Density => (density, "kg/m²"),
             Self::Damping => (&mut changed.drag, "1/s"),
             Self::Step => {
-                changed.substeps = (f64::from(hammock.substeps) / factor).round().max(1.0) as u32;
+                changed.substeps = (f64::from(awning.substeps) / factor).round().max(1.0) as u32;
                 return (changed, format!("{:.3} ms", 1e3 * STEP / f64::from(changed.substeps)));
             }
             Self::Sweeps => {
-                changed.sweeps = (f64::from(hammock.sweeps) * factor).round().max(1.0) as u32;
+                changed.sweeps = (f64::from(awning.sweeps) * factor).round().max(1.0) as u32;
                 return (changed, changed.sweeps.to_string());
             }
         };
@@ -75,7 +75,7 @@ impl Property {
 /// What became of the sheet with each property at each value.
 #[derive(Clone, Debug)]
 pub(crate) struct Parameters {
-    hammock: Hammock,
+    awning: Awning,
     side: usize,
     changes: Vec<Change>,
 }
@@ -102,11 +102,11 @@ struct Row {
 
 impl Parameters {
     /// Runs all sheets.
-    pub(crate) fn of(hammock: Hammock, side: usize, bar: &ProgressBar) -> Result<Self, String> {
+    pub(crate) fn of(awning: Awning, side: usize, bar: &ProgressBar) -> Result<Self, String> {
         let all: Vec<_> = Property::ALL.iter().flat_map(|&property| FACTORS.map(|factor| (property, factor))).collect();
         bar.inc_length(all.len() as u64);
         let run = |&(property, factor): &(Property, f64)| {
-            let (changed, words) = property.changed(&hammock, factor);
+            let (changed, words) = property.changed(&awning, factor);
             let outcome = changed.outcome(side)?;
             bar.inc(1);
             Ok::<_, String>(Change { property, factor, words, outcome })
@@ -114,7 +114,7 @@ impl Parameters {
         let mut changes: Vec<Change> = all.par_iter().map(run).collect::<Result<_, _>>()?;
         // Numbers of sweeps are whole: factors may meet in one.
         changes.dedup_by(|a, b| a.property == b.property && a.words == b.words);
-        Ok(Self { hammock, side, changes })
+        Ok(Self { awning, side, changes })
     }
 
     fn rows(&self) -> Vec<Row> {
@@ -172,7 +172,7 @@ impl Parameters {
             }
         };
         Plot {
-            title: "sag of the hammock",
+            title: "sag of the awning",
             axes: [
                 Axis { words: "factor on the property", log: true, bounds: (1e-3, 1e3) },
                 Axis { words: "sag, mm", log: false, bounds: (0.0, 1e6) },
@@ -183,7 +183,7 @@ impl Parameters {
     }
 
     fn pictures(&self, directory: &Path) -> Result<(), String> {
-        let scene = self.hammock.scene(self.side)?;
+        let scene = self.awning.scene(self.side)?;
         let shown = |change: &&Change| change.property == Property::Stiffness && change.factor != 0.5;
         let changes: Vec<_> = self.changes.iter().filter(shown).collect();
         let studio = Studio::new(&scene, changes.iter().map(|change| &change.outcome.still), SIDE)?;

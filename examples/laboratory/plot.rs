@@ -115,7 +115,8 @@ fn power(exponent: f64) -> String {
     match exponent.round() as i32 {
         6.. => format!("{} M", (value / 1e6).round()),
         3..6 => format!("{} k", (value / 1e3).round()),
-        0..3 => format!("{}", value.round()),
+        _ if exponent >= 0.0 => format!("{}", value.round()),
+        _ if exponent > -1.0 => format!("{value:.1}"),
         _ => format!("{value:.0e}"),
     }
 }
@@ -181,12 +182,8 @@ impl Plot<'_> {
 
     fn draw(&self, svg: &mut String) -> Result<(), Box<dyn std::error::Error>> {
         let [x, y] = self.axes;
-        let placed: Vec<Vec<(f64, f64)>> = self
-            .curves
-            .iter()
-            .map(|curve| curve.points.iter().filter_map(|&(a, b)| Some((x.place(a)?, y.place(b)?))).collect())
-            .collect();
-        let all = || placed.iter().flatten();
+        let placed: Vec<Vec<Vec<(f64, f64)>>> = self.curves.iter().map(|curve| self.pieces(curve)).collect();
+        let all = || placed.iter().flatten().flatten();
         let (across, up) = (x.range(all().map(|p| p.0)), y.range(all().map(|p| p.1)));
 
         let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
@@ -207,16 +204,29 @@ impl Plot<'_> {
             .light_line_style(TRANSPARENT)
             .bold_line_style(RGBColor(225, 225, 225))
             .draw()?;
-        for (curve, points) in self.curves.iter().zip(&placed) {
-            if curve.width > 0 {
-                chart.draw_series(LineSeries::new(points.iter().copied(), curve.colour.stroke_width(curve.width)))?;
+        for (curve, pieces) in self.curves.iter().zip(&placed) {
+            for piece in pieces.iter().filter(|_| curve.width > 0) {
+                chart.draw_series(LineSeries::new(piece.iter().copied(), curve.colour.stroke_width(curve.width)))?;
             }
-            let markers = points.iter().filter_map(|&point| curve.marker.at(point, curve.colour));
+            let markers = pieces.iter().flatten().filter_map(|&point| curve.marker.at(point, curve.colour));
             chart.draw_series(markers)?;
         }
         self.legend(&right)?;
         root.present()?;
         Ok(())
+    }
+
+    /// A curve in its places, interrupted where it is out of bounds.
+    fn pieces(&self, curve: &Curve) -> Vec<Vec<(f64, f64)>> {
+        let [x, y] = self.axes;
+        let mut pieces = vec![Vec::new()];
+        for &(a, b) in &curve.points {
+            match (x.place(a).zip(y.place(b)), pieces.last_mut()) {
+                (Some(place), Some(piece)) => piece.push(place),
+                _ => pieces.push(Vec::new()),
+            }
+        }
+        pieces
     }
 
     fn legend<B: DrawingBackend>(

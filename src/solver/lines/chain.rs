@@ -51,7 +51,11 @@ impl<S: Scalar> Eliminated<S> {
 
 impl<S: Scalar> Chain<'_, S> {
     /// Solves every row. Returns the largest difference between a link's length and rest length that it met.
-    pub(super) fn rows<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, tension: &mut Grid<S, W, H>) -> S {
+    pub(super) fn rows<const W: usize, const H: usize>(
+        &self,
+        cloth: &mut Cloth<S, W, H>,
+        tension: &mut Grid<S, W, H>,
+    ) -> S {
         let mut worst = S::ZERO;
         if W > 1 {
             for row in 0..H {
@@ -139,7 +143,11 @@ impl<S: Scalar> Chain<'_, S> {
     }
 
     /// Solves every column.
-    pub(super) fn columns<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, tension: &mut Grid<S, W, H>) {
+    pub(super) fn columns<const W: usize, const H: usize>(
+        &self,
+        cloth: &mut Cloth<S, W, H>,
+        tension: &mut Grid<S, W, H>,
+    ) {
         let mut column = 0;
         while column + LANES <= W {
             self.side_by_side::<LANES, W, H>(cloth, column, tension);

@@ -40,7 +40,14 @@ impl<'a, S: Scalar> Pairs<'a, S> {
             let (x, w) = (&cloth.position.0[row], cloth.inverse_mass.0[row]);
             let mut none = [S::ZERO; W];
             let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
-            let mut pull = self.pull::<START, W>(x, &x.components(left::<ACROSS, S, W>), &w, &left::<ACROSS, S, W>(&w), tension, warm);
+            let mut pull = self.pull::<START, W>(
+                x,
+                &x.components(left::<ACROSS, S, W>),
+                &w,
+                &left::<ACROSS, S, W>(&w),
+                tension,
+                warm,
+            );
             without_last::<ACROSS, S, W>(&mut pull, tension);
             let before = pull.components(right::<ACROSS, S, W>);
             displace_row(cloth, row, |column| (pull.at(column) - before.at(column)) * w[column], self.moment);
@@ -69,7 +76,13 @@ impl<'a, S: Scalar> Pairs<'a, S> {
 
     /// Links along both diagonals.
     #[inline]
-    pub(super) fn diagonals<const ACROSS: usize, const DOWN: usize, const START: bool, const W: usize, const H: usize>(
+    pub(super) fn diagonals<
+        const ACROSS: usize,
+        const DOWN: usize,
+        const START: bool,
+        const W: usize,
+        const H: usize,
+    >(
         &self,
         cloth: &mut Cloth<S, W, H>,
         mut tension: Option<[&mut Grid<S, W, H>; 2]>,
@@ -89,11 +102,23 @@ impl<'a, S: Scalar> Pairs<'a, S> {
                     None => none.each_mut(),
                 };
                 // to the right and down, to the left and down
-                let mut fall =
-                    self.pull::<START, W>(x, &y.components(left::<ACROSS, S, W>), &u, &left::<ACROSS, S, W>(&v), falling, warm);
+                let mut fall = self.pull::<START, W>(
+                    x,
+                    &y.components(left::<ACROSS, S, W>),
+                    &u,
+                    &left::<ACROSS, S, W>(&v),
+                    falling,
+                    warm,
+                );
                 without_last::<ACROSS, S, W>(&mut fall, falling);
-                let mut rise =
-                    self.pull::<START, W>(x, &y.components(right::<ACROSS, S, W>), &u, &right::<ACROSS, S, W>(&v), rising, warm);
+                let mut rise = self.pull::<START, W>(
+                    x,
+                    &y.components(right::<ACROSS, S, W>),
+                    &u,
+                    &right::<ACROSS, S, W>(&v),
+                    rising,
+                    warm,
+                );
                 without_first::<ACROSS, S, W>(&mut rise, rising);
                 displace_row(cloth, row, |column| (fall.at(column) + rise.at(column)) * u[column], self.moment);
                 let (fall, rise) = (fall.components(right::<ACROSS, S, W>), rise.components(left::<ACROSS, S, W>));

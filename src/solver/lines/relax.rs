@@ -72,8 +72,16 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         let strength = family.strength.scaled(self.softness);
         let chain = Chain { rest: &family.rest, strength, moment: self.moment };
         match (self.pass, DOWN) {
-            (Pass::Start, 0) => Pairs::new(family, strength, self.moment).row::<1, true, W, H>(self.cloth, Some(tension), S::from_f64(WARM_LINES)),
-            (Pass::Start, _) => Pairs::new(family, strength, self.moment).column::<1, true, W, H>(self.cloth, Some(tension), S::from_f64(WARM_LINES)),
+            (Pass::Start, 0) => Pairs::new(family, strength, self.moment).row::<1, true, W, H>(
+                self.cloth,
+                Some(tension),
+                S::from_f64(WARM_LINES),
+            ),
+            (Pass::Start, _) => Pairs::new(family, strength, self.moment).column::<1, true, W, H>(
+                self.cloth,
+                Some(tension),
+                S::from_f64(WARM_LINES),
+            ),
             (_, 0) => {
                 let worst = chain.rows(self.cloth, tension);
                 self.met = self.met.max(worst.divide(family.rest.length));
@@ -89,7 +97,9 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         // without a memory a second time would count twice
         let first = self.sweep == 0;
         match tension {
-            [right, left, ..] if ACROSS > 0 && DOWN > 0 => pairs.diagonals::<ACROSS, DOWN, START, W, H>(self.cloth, Some([right, left]), warm),
+            [right, left, ..] if ACROSS > 0 && DOWN > 0 => {
+                pairs.diagonals::<ACROSS, DOWN, START, W, H>(self.cloth, Some([right, left]), warm)
+            }
             [tension, ..] if DOWN == 0 => pairs.row::<ACROSS, START, W, H>(self.cloth, Some(tension), warm),
             [tension, ..] if ACROSS == 0 => pairs.column::<DOWN, START, W, H>(self.cloth, Some(tension), warm),
             _ if START || !first => {}

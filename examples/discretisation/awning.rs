@@ -16,9 +16,10 @@ const MOTION: f64 = 0.5;
 /// The particles a side on which shapes are compared.
 const PROBES: usize = 8;
 
-/// A square sheet held along two sides, which its weight pulls down from the plane.
+/// A square sheet held along its border, which its weight pulls down from the plane. It is taut everywhere: wrinkles, which every grid would
+/// have its own of, cannot form.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Hammock {
+pub(crate) struct Awning {
     pub(crate) material: Material,
     /// 1/s
     pub(crate) drag: f64,
@@ -28,7 +29,7 @@ pub(crate) struct Hammock {
     pub(crate) seconds: f64,
 }
 
-impl Default for Hammock {
+impl Default for Awning {
     fn default() -> Self {
         Self { material: BLANKET, drag: 10.0, substeps: 8, sweeps: 2, seconds: 3.0 }
     }
@@ -38,7 +39,7 @@ impl Default for Hammock {
 #[derive(Clone, Debug)]
 pub(crate) struct Outcome {
     pub(crate) side: usize,
-    /// How far the middle hangs below the bars, m.
+    /// How far the middle hangs below the border, m.
     pub(crate) sag: f64,
     /// The largest strain of a stretch link at rest.
     pub(crate) strain: f64,
@@ -48,15 +49,17 @@ pub(crate) struct Outcome {
     rest: Frames,
 }
 
-impl Hammock {
+impl Awning {
     /// The scene on a grid.
     pub(crate) fn scene(&self, side: usize) -> Result<Description, String> {
         let last = side - 1;
-        let pins: Vec<_> = (0..side).map(|row| format!("[0, {row}], [{last}, {row}]")).collect();
+        let border =
+            (0..side * side).map(|i| [i % side, i / side]).filter(|node| node.iter().any(|k| [0, last].contains(k)));
+        let pins: Vec<_> = border.map(|[column, row]| format!("[{column}, {row}]")).collect();
         let units: Units = self.material.units([side, side], [SIZE, SIZE], STEP, self.substeps);
         let springs = self.material.springs(&units, FOLD);
         let text = format!(
-            "name = \"hammock\"\n\
+            "name = \"awning\"\n\
              [cloth]\ncolumns = {side}\nrows = {side}\nwidth = {SIZE}\nheight = {SIZE}\ndensity = {}\npins = [{}]\n\
              [stretch]\nstiffness = {}\n[shear]\nstiffness = {}\n[bend]\nstiffness = {}\n\
              [environment]\ngravity = [0.0, 0.0, -9.81]\ndrag = {}\n\
@@ -108,8 +111,8 @@ impl Hammock {
     pub(crate) fn words(&self) -> String {
         let Material { density, stretch, shear, bend, .. } = self.material;
         format!(
-            "A hammock: a square of {SIZE} m of blanket fabric (`material::BLANKET`: {density} kg/m², C = {stretch} N/m, G = {shear} N/m, \
-             B = {bend:.1e} N·m), laid flat, held along two sides, with a drag of {} /s. Springs and masses follow from the fabric by the laws of \
+            "An awning: a square of {SIZE} m of blanket fabric (`material::BLANKET`: {density} kg/m², C = {stretch} N/m, G = {shear} N/m, \
+             B = {bend:.1e} N·m), laid flat, held along its border, with a drag of {} /s. Springs and masses follow from the fabric by the laws of \
              `material`, with the stiffness of bend springs right at folds of {FOLD} rad. Line solver in f64, {} substeps of a frame of {STEP} s, \
              {} iterations. Distances are RMS over {PROBES} × {PROBES} places of the sheet, / sheet size: at rest after {} s, and in motion over \
              the first {MOTION} s.",
