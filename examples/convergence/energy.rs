@@ -29,6 +29,14 @@ pub(crate) struct Energies {
     courses: Vec<(Configuration, Vec<f64>)>,
 }
 
+/// A scene without drag and wind; it has to have gravity.
+pub(crate) fn undamped(scene: &Description) -> Result<Description, String> {
+    if scene.gravity == [0.0; 3] {
+        return Err(format!("{}: environment.gravity: without it there is no unit of energy", scene.name));
+    }
+    Ok(Description { drag: None, wind: None, ..scene.clone() })
+}
+
 /// A line of the table of all courses.
 #[derive(Clone, Debug, Serialize)]
 struct Row<'a> {
@@ -41,16 +49,12 @@ struct Row<'a> {
 }
 
 impl Energies {
-    /// Runs all solvers in `f64` without drag and wind.
+    /// Runs all solvers in `f64` on an [`undamped`] scene.
     pub(crate) fn of(scene: &Description, frames: u32, substeps: u32, bar: &ProgressBar) -> Result<Self, String> {
-        let scene = Description { drag: None, wind: None, ..scene.clone() };
         let sheet = &scene.sheet;
         let mass: f64 =
             (0..sheet.rows).flat_map(|row| (0..sheet.columns).map(move |column| sheet.mass_at(column, row))).sum();
         let gravity = scene.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
-        if gravity == 0.0 {
-            return Err(format!("{}: environment.gravity: there has to be some for energies", scene.name));
-        }
         let unit = 0.01 * mass * gravity * size(&scene);
         let configurations: Vec<_> = usual(ScalarKind::F64, substeps)
             .map(|configuration| match configuration.solver {

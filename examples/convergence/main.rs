@@ -13,15 +13,17 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, value_parser};
-use kerchief::host::{Description, MOST};
+use kerchief::host::{Description, MOST, ScalarKind};
 
 use console::{progress, staging};
-use energy::Energies;
+use energy::{Energies, undamped};
 use floors::Floors;
+use laboratory::configuration::Configuration;
 use laboratory::page::{Page, write_csv};
 use laboratory::prepare_workers;
 use laboratory::scenes::{ORDERS, named};
 use orders::Orders;
+use usual::usual;
 
 /// Shows how fast every solver converges, what it does to energy, and what every number type loses to rounding.
 #[derive(Debug, Parser)]
@@ -63,6 +65,15 @@ fn run(args: &Args) -> Result<(), String> {
     let load = |name: &String| console::load(name, &named);
     let scenes: Vec<(String, Description)> = args.scenes.iter().map(load).collect::<Result<_, _>>()?;
     let (_, swinging) = load(&args.energy_scene)?;
+    let swinging = undamped(&swinging)?;
+    for (_, scene) in &scenes {
+        for (scalar, &substeps) in
+            ScalarKind::ALL.into_iter().flat_map(|scalar| args.substeps.iter().map(move |n| (scalar, n)))
+        {
+            let fits = |of: Configuration| of.of(scene).simulation(scalar).map(drop);
+            usual(scalar, substeps).try_for_each(fits).map_err(|error| format!("{}: {error}", scene.name))?;
+        }
+    }
     staging::prepare(&args.out)?;
     prepare_workers()?;
     let mut substeps = args.substeps.clone();

@@ -39,6 +39,7 @@ impl Grids {
     /// Runs the sheet on all grids.
     pub(crate) fn of(awning: Awning, sides: &[usize], bar: &ProgressBar) -> Result<Self, String> {
         bar.inc_length(sides.len() as u64);
+        let awning = awning.exactly(sides.iter().copied().max().unwrap_or(2));
         let run = |&side: &usize| {
             let outcome = awning.outcome(side);
             bar.inc(1);
@@ -77,7 +78,8 @@ impl Grids {
             order(before.cell, of(before)?, row.cell, of(row)?, limit)
         };
         page.paragraph(&format!(
-            "Distances to the grid of {finest} × {finest}; orders allow for the error of that grid, which is the limit of none."
+            "{} Distances to the grid of {finest} × {finest}; orders allow for the error of that grid.",
+            self.awning.method()
         ));
         page.table(
             &[

@@ -138,7 +138,11 @@ impl Parameters {
     pub(crate) fn report(&self, page: &mut Page, directory: &Path) -> Result<(), String> {
         let rows = self.rows();
         page.paragraph("## One property at a time");
-        page.paragraph(&format!("On {0} × {0} particles; distances are those to the sheet as it is above.", self.side));
+        page.paragraph(&format!(
+            "{1} On {0} × {0} particles; distances are those to the sheet as it is above.",
+            self.side,
+            self.awning.method()
+        ));
         self.plot().write(directory, "parameters.svg")?;
         page.picture("sag against the factor by which a property is changed", "parameters.svg");
         self.pictures(directory)?;

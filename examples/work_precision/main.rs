@@ -96,6 +96,8 @@ fn run(args: &Args) -> Result<(), String> {
         Some(Cost::Instructions) => true,
         None => callgrind::is_there(),
     };
+    let choice = args.choice();
+    subjects.iter().try_for_each(|subject| subject.check(&choice, callgrind))?;
     staging::prepare(&args.out)?;
     prepare_workers()?;
     if !callgrind && args.cost.is_none() {
@@ -103,8 +105,8 @@ fn run(args: &Args) -> Result<(), String> {
     }
     let bar = progress("runs", 0);
     let mut studies = Vec::new();
-    for subject in subjects {
-        studies.push(subject.study(&args.choice(), callgrind, &args.cache, &bar)?);
+    for subject in &subjects {
+        studies.push(subject.study(&choice, callgrind, &args.cache, &bar)?);
     }
     bar.finish_and_clear();
     args.write(&studies)?;

@@ -48,22 +48,33 @@ pub(crate) struct Study {
 }
 
 impl Subject {
+    /// Says what is wrong before anything is run.
+    pub(crate) fn check(&self, choice: &Choice, callgrind: bool) -> Result<(), String> {
+        let in_scene = |reason: &dyn std::fmt::Display| format!("{}: {reason}", self.scene.name);
+        let configurations = choice.configurations();
+        if configurations.is_empty() {
+            return Err("--work: leaves no configuration".to_string());
+        }
+        for configuration in configurations {
+            lean::moving(&configuration.of(&self.scene), configuration.scalar).map_err(|error| in_scene(&error))?;
+        }
+        if !callgrind && lean::counted(&self.scene).is_none() {
+            let grids = "operations are counted for undamped sheets of 16 × 16 and 32 × 32 only, instructions for all";
+            return Err(in_scene(&grids));
+        }
+        Ok(())
+    }
+
     /// Runs all configurations.
     pub(crate) fn study(
-        self,
+        &self,
         choice: &Choice,
         callgrind: bool,
         cache: &Path,
         bar: &ProgressBar,
     ) -> Result<Study, String> {
-        let name = self.scene.name.clone();
-        let in_scene = |reason: &dyn std::fmt::Display| format!("{name}: {reason}");
+        let in_scene = |reason: &dyn std::fmt::Display| format!("{}: {reason}", self.scene.name);
         let configurations = choice.configurations();
-        for &configuration in &configurations {
-            // What a number type does not hold is said before anything is run.
-            let probe = lean::moving(&configuration.of(&self.scene), configuration.scalar);
-            probe.map_err(|error| in_scene(&error))?;
-        }
         bar.inc_length(configurations.len() as u64 + 1);
         let reference = self.tolerance.map(|tolerance| {
             Reference::of(lean::moving, &self.text, &self.scene, self.frames, tolerance, cache)
@@ -102,7 +113,7 @@ impl Subject {
             }
             spread
         });
-        Ok(Study { subject: self, reference, points, spread })
+        Ok(Study { subject: self.clone(), reference, points, spread })
     }
 }
 
