@@ -57,12 +57,14 @@
 
 mod build;
 mod builtin;
+mod counted;
 mod description;
 mod error;
 mod file;
 mod fit;
 #[cfg(feature = "graphics")]
 mod painter;
+mod parts;
 mod quantity;
 mod resolve;
 mod run;
@@ -70,6 +72,7 @@ mod shape;
 mod solver;
 
 pub use builtin::{BUILT_IN, BuiltIn, DEFAULT_SCENE, built_in};
+pub use counted::{Counted, Operations};
 pub use description::{
     Capsule, Description, Drag, Picture, Plane, Pose, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Weave, Wind,
     WindModel,
@@ -77,6 +80,7 @@ pub use description::{
 pub use error::SceneError;
 #[cfg(feature = "graphics")]
 pub use painter::Painter;
+pub use parts::{Bare, Basics, Everything, Obstacles, Parts, Springs};
 pub use quantity::MOST;
 pub use run::{ScalarKind, Simulation, State, Still, Strain, Strains};
 pub use shape::SHAPES;

@@ -3,9 +3,10 @@
 use std::boxed::Box;
 use std::vec::Vec;
 
-use super::build::{Forces, Obstacles, SceneLinks, air, gravity};
+use super::build::{Forces, SceneLinks, gravity};
 use super::description::{Description, Wind};
 use super::error::SceneError;
+use super::parts::{Everything, Obstacles, Parts};
 use super::shape::for_each_shape;
 use super::solver::{AnySolver, Memory};
 use crate::cloth::Cloth;
@@ -136,13 +137,38 @@ impl Description {
             ScalarKind::Q24 => shaped::<Q24>(self),
         }
     }
+
+    /// Sets the scene up from chosen parts, in a number type and on a grid that are known when the program is compiled.
+    ///
+    /// # Errors
+    ///
+    /// If the scene has another grid or names what the parts do not have, or the number type does not hold a value.
+    ///
+    /// ```
+    /// use kerchief::host::{Bare, Counted, Description, built_in};
+    ///
+    /// let scene = Description::parse(built_in("gravity").unwrap().text)?;
+    /// let mut simulation = scene.simulation_on::<Bare, Counted, 32, 32>()?;
+    /// Counted::reset();
+    /// simulation.frame();
+    /// assert!(Counted::operations().total() > 0);
+    /// # Ok::<(), kerchief::host::SceneError>(())
+    /// ```
+    pub fn simulation_on<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize>(
+        &self,
+    ) -> Result<Box<dyn Simulation>, SceneError> {
+        if (self.sheet.columns, self.sheet.rows) != (W, H) {
+            return Err(SceneError::new("cloth.columns", std::format!("not a grid of {W} × {H} particles")));
+        }
+        Running::<P, S, W, H>::boxed(self)
+    }
 }
 
 fn shaped<S: Scalar + Send>(description: &Description) -> Result<Box<dyn Simulation>, SceneError> {
     macro_rules! choose {
         ($(($columns:literal, $rows:literal, $faces:literal))*) => {
             match (description.sheet.columns, description.sheet.rows) {
-                $(($columns, $rows) => Running::<S, $columns, $rows>::boxed(description),)*
+                $(($columns, $rows) => Running::<Everything, S, $columns, $rows>::boxed(description),)*
                 _ => Err(SceneError::new("cloth.columns", "unsupported grid")),
             }
         };
@@ -150,17 +176,17 @@ fn shaped<S: Scalar + Send>(description: &Description) -> Result<Box<dyn Simulat
     for_each_shape!(choose)
 }
 
-struct Running<S: Scalar, const W: usize, const H: usize> {
+struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     units: Units,
     gravity: [f64; 3],
-    scene: Scene<Forces<S>, SceneLinks<S>, Obstacles<S>, AnySolver>,
+    scene: Scene<Forces<S, P>, SceneLinks<S, P>, P::Obstacles, AnySolver>,
     cloth: Box<Cloth<S, W, H>>,
     /// Inverse masses of the sheet without pins.
     unpinned: Box<Grid<S, W, H>>,
     memory: Memory<S, W, H>,
 }
 
-impl<S: Scalar + Send, const W: usize, const H: usize> Running<S, W, H> {
+impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S, W, H> {
     fn boxed(description: &Description) -> Result<Box<dyn Simulation>, SceneError> {
         let units = description.units()?;
         let mut cloth = Box::new(description.cloth::<S, W, H>(&units)?);
@@ -168,15 +194,15 @@ impl<S: Scalar + Send, const W: usize, const H: usize> Running<S, W, H> {
         for &[column, row] in &description.sheet.pins {
             cloth.pin(Node { column, row });
         }
-        let forces = description.forces(&units)?;
-        let (links, obstacles) = (description.links(&units)?, description.obstacles(&units)?);
+        let forces = description.forces::<S, P>(&units)?;
+        let (links, obstacles) = (description.links::<S, P>(&units)?, P::obstacles(description, &units)?);
         let scene = Scene::new(&units, forces, links, obstacles, AnySolver::new::<S>(description)?);
         let memory = scene.memory();
         Ok(Box::new(Self { units, gravity: description.gravity, scene, cloth, unpinned, memory }))
     }
 }
 
-impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S, W, H> {
+impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<P, S, W, H> {
     fn frame(&mut self) {
         self.scene.step(&mut self.cloth, &mut self.memory);
         self.scene.advance::<S>();
@@ -251,7 +277,7 @@ impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S,
     }
 
     fn set_wind(&mut self, wind: Option<&Wind>) -> Result<(), SceneError> {
-        self.scene.forces.2 = air(&self.units, wind)?;
+        self.scene.forces.2 = P::air(&self.units, wind)?;
         Ok(())
     }
 }
