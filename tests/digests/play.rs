@@ -68,7 +68,7 @@ fn play<S: Scalar>(setup: &Setup, method: Method, frame: &mut dyn FnMut(u32)) ->
         }
         Method::BackwardEuler => {
             let solver = BackwardEuler { newton_steps: 1 };
-            run::<S, _>(setup, solver, &Pace { part: 1.0, substeps: 2, frames: 2 }, frame)
+            run::<S, _>(setup, solver, &Pace { part: 1.0, substeps: 2, frames: 1 }, frame)
         }
         Method::Verlet => run::<S, _>(setup, Verlet { sweeps: 3 }, &Pace { part: 1.0, substeps: 2, frames: 10 }, frame),
         Method::Leapfrog => run::<S, _>(setup, Leapfrog, &Pace { part: 1.0 / 16.0, substeps: 6, frames: 3 }, frame),
