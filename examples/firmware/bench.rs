@@ -4,7 +4,7 @@
 use kerchief::force::Force;
 use kerchief::{
     AerodynamicWind, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, Gravity, Lines, Links, Node, Plane, Q24,
-    Scalar, Scene, Shear, Solver, Sphere, StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd,
+    Scalar, Scene, Shear, Solver, Sphere, StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
 };
 
 /// Particles a side.
@@ -143,4 +143,10 @@ fn tethers<S: Scalar>(units: &Units) -> Tether<S, 2> {
         unreachable!("two corners fit");
     };
     tethers
+}
+
+/// The largest strain of a stretch link.
+#[allow(dead_code, reason = "boards leave it to the host")]
+pub(crate) fn stretch_strain<S: Scalar>(cloth: &Cloth<S, SIDE, SIDE>) -> f64 {
+    measure::strain(cloth, &stretch::<S>(&units(1))).largest.to_f64()
 }

@@ -3,9 +3,16 @@
 //! `UPDATE_INSTRUCTIONS=1 cargo test --test boards` writes the figures anew.
 
 mod digests;
+mod figures;
 mod firmware;
+mod image;
 mod machine;
+mod measure;
+mod report;
+mod rules;
 
+#[path = "../../examples/firmware/bench.rs"]
+mod bench;
 #[path = "../digests/cases.rs"]
 mod cases;
 #[path = "../digests/play.rs"]

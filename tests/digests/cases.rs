@@ -34,7 +34,7 @@ const LEFT: &[[usize; 2]] = &{
     pins
 };
 /// The curtain's eight pegs, spread over fewer columns.
-const PEGS: &[[usize; 2]] = &[[0, 0], [2, 0], [3, 0], [5, 0], [6, 0], [8, 0], [9, 0], [EDGE, 0]];
+const PEGS: &[[usize; 2]] = &[[0, 0], [1, 0], [3, 0], [4, 0], [5, 0], [6, 0], [8, 0], [EDGE, 0]];
 
 const fn undamped(stiffness: f64) -> Spring {
     Spring { stiffness, damping: 0.0 }

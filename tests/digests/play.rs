@@ -61,7 +61,7 @@ struct Pace {
 
 /// Plays `setup` in numbers of type `S` and shows `frame` the digest after every frame.
 fn play<S: Scalar>(setup: &Setup, method: Method, frame: &mut dyn FnMut(u32)) -> Outcome {
-    // Explicit solvers are stable for tiny steps only; three and six are no powers of two.
+    // Long enough for the thesis' sheets to meet the ball. Explicit solvers are stable for tiny steps only; three and six are no powers of two.
     match method {
         Method::ForwardEuler => {
             run::<S, _>(setup, ForwardEuler, &Pace { part: 1.0 / 64.0, substeps: 16, frames: 3 }, frame)
@@ -70,10 +70,10 @@ fn play<S: Scalar>(setup: &Setup, method: Method, frame: &mut dyn FnMut(u32)) ->
             let solver = BackwardEuler { newton_steps: 1 };
             run::<S, _>(setup, solver, &Pace { part: 1.0, substeps: 2, frames: 1 }, frame)
         }
-        Method::Verlet => run::<S, _>(setup, Verlet { sweeps: 3 }, &Pace { part: 1.0, substeps: 2, frames: 10 }, frame),
+        Method::Verlet => run::<S, _>(setup, Verlet { sweeps: 3 }, &Pace { part: 1.5, substeps: 2, frames: 8 }, frame),
         Method::Leapfrog => run::<S, _>(setup, Leapfrog, &Pace { part: 1.0 / 16.0, substeps: 6, frames: 3 }, frame),
-        Method::Xpbd => run::<S, _>(setup, Xpbd, &Pace { part: 1.0, substeps: 3, frames: 10 }, frame),
-        Method::Lines => run::<S, _>(setup, Lines::<6>::default(), &Pace { part: 1.0, substeps: 2, frames: 10 }, frame),
+        Method::Xpbd => run::<S, _>(setup, Xpbd, &Pace { part: 1.5, substeps: 3, frames: 8 }, frame),
+        Method::Lines => run::<S, _>(setup, Lines::<6>::default(), &Pace { part: 1.5, substeps: 2, frames: 8 }, frame),
     }
 }
 

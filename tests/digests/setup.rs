@@ -1,7 +1,7 @@
 //! What a digest's scene consists of: plain SI numbers, so that a case is data and all cases share the code that plays them.
 
 /// Particles a side.
-pub(crate) const SIDE: usize = 12;
+pub(crate) const SIDE: usize = 10;
 
 /// A sheet of [`SIDE`] × [`SIDE`] particles and what acts on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
