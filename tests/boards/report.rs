@@ -143,8 +143,8 @@ fn page(figures: &[Figure]) -> String {
     for (name, scene, than) in PARTS {
         for number in figures.numbers() {
             let flash = figures.get(number, scene).flash as i64 - figures.get(number, than).flash as i64;
-            let more = figures.more(number, scene, Some(than)).map(|more| format!("{:.1}", more as f64 / 1e3));
-            let [m0, m3, m4f] = more;
+            let more = figures.more(number, scene, Some(than));
+            let [m0, m3, m4f] = more.map(|more| format!("{:.1}", (more as f64 / 100.0).round() / 10.0 + 0.0));
             text += &row(&[name, number], &[flash.to_string(), m0, m3, m4f]);
         }
     }
