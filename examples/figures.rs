@@ -1,24 +1,21 @@
 //! Draws the thesis' two questions for the README: `cargo run --release --example figures` writes `docs/shear.png` and
 //! `docs/super-elasticity.png`.
 
+#[path = "studio/strip.rs"]
+mod strip;
 #[path = "studio/mod.rs"]
 mod studio;
 
 use std::error::Error;
 
-use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_10X20};
-use embedded_graphics::pixelcolor::{Rgb888, WebColors};
-use embedded_graphics::prelude::*;
-use embedded_graphics::text::{Alignment, Text};
-use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
-use image::{Rgb, RgbImage, imageops};
+use image::RgbImage;
 use kerchief::host::{Description, ScalarKind, SolverKind, Still, built_in};
 
+use strip::strip;
 use studio::Studio;
 
-/// The side of a picture, and the height of the line under it, pixels.
+/// The side of a picture, pixels.
 const SIDE: u32 = 480;
-const LINE: u32 = 32;
 
 fn main() -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all("docs")?;
@@ -60,19 +57,6 @@ fn run(scene: &Description) -> Result<(Still, f64), Box<dyn Error>> {
 /// Two pictures by the same camera, side by side, each with a line of words.
 fn figure(scene: &Description, panels: &[(Still, f64); 2], words: [String; 2]) -> Result<RgbImage, String> {
     let studio = Studio::new(scene, panels.iter().map(|(still, _)| still), SIDE)?;
-    let mut page = RgbImage::from_pixel(2 * SIDE + 8, SIDE + LINE, Rgb([255; 3]));
-    for ((left, (still, _)), words) in [0, SIDE + 8].into_iter().zip(panels).zip(words) {
-        imageops::replace(&mut page, &studio.picture(still), left.into(), 0);
-        imageops::replace(&mut page, &line(&words), left.into(), SIDE.into());
-    }
-    Ok(page)
-}
-
-fn line(words: &str) -> RgbImage {
-    let mut display = SimulatorDisplay::with_default_color(Size::new(SIDE, LINE), Rgb888::WHITE);
-    let style = MonoTextStyle::new(&FONT_10X20, Rgb888::CSS_DARK_SLATE_GRAY);
-    let middle = Point::new(SIDE as i32 / 2, 22);
-    let Ok(_) = Text::with_alignment(words, middle, style, Alignment::Center).draw(&mut display);
-    let image = display.to_rgb_output_image(&OutputSettings::default());
-    RgbImage::from_vec(SIDE, LINE, image.as_image_buffer().to_vec()).expect("an image of that size")
+    let panels: Vec<_> = panels.iter().zip(words).map(|((still, _), words)| (studio.picture(still), words)).collect();
+    Ok(strip(&panels))
 }

@@ -5,6 +5,7 @@ use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Point, Units};
 use crate::vec3::Vec3;
+use crate::vectors::Vectors;
 
 /// A sheet of `W` columns and `H` rows of particles: all that changes while it moves.
 ///
@@ -22,9 +23,9 @@ use crate::vec3::Vec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cloth<S, const W: usize, const H: usize> {
     /// Where the particles are, cells.
-    pub position: Grid<Vec3<S>, W, H>,
+    pub position: Vectors<S, W, H>,
     /// How fast they move, cells per tick.
-    pub velocity: Grid<Vec3<S>, W, H>,
+    pub velocity: Vectors<S, W, H>,
     /// One over a particle's mass in ordinary particles: 1 for most, ½ for one twice as heavy, 0 for a pin.
     pub inverse_mass: Grid<S, W, H>,
 }
@@ -42,14 +43,14 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
 
     fn spread(units: &Units, origin: Point, down: impl Fn(S) -> Vec3<S>) -> Self {
         let mut cloth = Self {
-            position: Grid::filled(origin.to_vec()),
-            velocity: Grid::filled(Vec3::ZERO),
+            position: Vectors::filled(origin.to_vec()),
+            velocity: Vectors::filled(Vec3::ZERO),
             inverse_mass: Grid::filled(S::ONE),
         };
         let [across, along] = units.sides.map(S::from_f64);
         for node in Grid::<S, W, H>::nodes() {
             let place = down(along.times(node.row as i32));
-            cloth.position[node] += place + Vec3::new(across.times(node.column as i32), S::ZERO, S::ZERO);
+            cloth.position.add(node, place + Vec3::new(across.times(node.column as i32), S::ZERO, S::ZERO));
         }
         cloth
     }
@@ -76,7 +77,7 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     /// Holds a particle where it is.
     pub fn pin(&mut self, node: Node) {
         self.inverse_mass[node] = S::ZERO;
-        self.velocity[node] = Vec3::ZERO;
+        self.velocity.set(node, Vec3::ZERO);
     }
 
     /// Lets a pinned particle go, with this inverse mass.
@@ -88,8 +89,8 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     /// of two positions would lose its digits.)
     #[inline]
     pub fn displace(&mut self, node: Node, by: Vec3<S>, moment: Moment) {
-        self.position[node] += by;
-        self.velocity[node] += moment.velocity(by);
+        self.position.add(node, by);
+        self.velocity.add(node, moment.velocity(by));
     }
 
     /// Moves `a` by `by` and `b` against it, each times its inverse mass.
@@ -119,9 +120,9 @@ mod tests {
     #[test]
     fn a_laid_sheet_is_flat_and_a_hung_one_upright() {
         let laid = Cloth::<f64, 4, 3>::lay(&UNITS, UNITS.point([2.0, 0.0, 1.0]));
-        assert_eq!(laid.position[Node::new(3, 2)], Vec3::new(2.5, 2.0, 0.5));
+        assert_eq!(laid.position.at(Node::new(3, 2)), Vec3::new(2.5, 2.0, 0.5));
         let hung = Cloth::<f64, 4, 3>::hang(&UNITS, UNITS.point([2.0, 0.0, 1.0]));
-        assert_eq!(hung.position[Node::new(3, 2)], Vec3::new(2.5, 0.0, -1.5));
+        assert_eq!(hung.position.at(Node::new(3, 2)), Vec3::new(2.5, 0.0, -1.5));
     }
 
     #[test]

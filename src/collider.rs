@@ -44,8 +44,8 @@ pub(crate) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>
         if cloth.is_pinned(node) {
             continue;
         }
-        let moved = moment.displacement(cloth.velocity[node]);
-        if let Some(by) = colliders.contact(moment, cloth.position[node], moved) {
+        let moved = moment.displacement(cloth.velocity.at(node));
+        if let Some(by) = colliders.contact(moment, cloth.position.at(node), moved) {
             cloth.displace(node, by, moment);
         }
     }

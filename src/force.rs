@@ -38,20 +38,20 @@ pub trait Force<S: Scalar> {
 
     /// Adds the velocities that the particles of a row would gain in a substep if their mass were 1 (cells per tick).
     #[inline]
-    fn particles<const W: usize>(&self, _row: Row<'_, S, W>, _gain: &mut [Vec3<S>; W]) {}
+    fn particles<const W: usize>(&self, _row: Row<'_, S, W>, _gain: &mut Vec3<[S; W]>) {}
 
     /// Adds the velocities that the particles of two neighbouring rows would gain from the cells between them.
     #[inline]
-    fn cells<const W: usize>(&self, _rows: [Row<'_, S, W>; 2], _gains: [&mut [Vec3<S>; W]; 2]) {}
+    fn cells<const W: usize>(&self, _rows: [Row<'_, S, W>; 2], _gains: [&mut Vec3<[S; W]>; 2]) {}
 }
 
 /// A row of particles.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a, S, const W: usize> {
     /// Where they are, cells.
-    pub position: &'a [Vec3<S>; W],
+    pub position: &'a Vec3<[S; W]>,
     /// How fast they move, cells per tick.
-    pub velocity: &'a [Vec3<S>; W],
+    pub velocity: &'a Vec3<[S; W]>,
 }
 
 /// The exact effect of a drag γ on a substep h: `v(h) = decay·v + gain·h·a` under a constant acceleration a.
@@ -150,14 +150,14 @@ impl<S: Scalar, T: Force<S>> Force<S> for Option<T> {
     }
 
     #[inline]
-    fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut [Vec3<S>; W]) {
+    fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut Vec3<[S; W]>) {
         if let Some(force) = self {
             force.particles(row, gain);
         }
     }
 
     #[inline]
-    fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut [Vec3<S>; W]; 2]) {
+    fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
         if let Some(force) = self {
             force.cells(rows, gains);
         }
@@ -192,14 +192,14 @@ macro_rules! tuple {
             }
 
             #[inline]
-            fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut [Vec3<S>; W]) {
+            fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut Vec3<[S; W]>) {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
                 $($name.particles(row, gain);)+
             }
 
             #[inline]
-            fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], [upper, lower]: [&mut [Vec3<S>; W]; 2]) {
+            fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], [upper, lower]: [&mut Vec3<[S; W]>; 2]) {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
                 $($name.cells(rows, [upper, lower]);)+

@@ -28,9 +28,14 @@ impl<T: Copy, const W: usize, const H: usize> Grid<T, W, H> {
     ///
     /// A grid without a node, or one whose nodes 32 bits can't count, does not compile.
     pub const fn filled(value: T) -> Self {
-        const { assert!(W > 0 && H > 0, "a grid needs at least one column and one row") };
-        const { assert!(W <= 1 << 15 && H <= 1 << 15, "a grid has at most 32768 columns and rows") };
+        const { Self::check() };
         Self([[value; W]; H])
+    }
+
+    /// Refuses impossible sizes when it is evaluated at compile time.
+    pub(crate) const fn check() {
+        assert!(W > 0 && H > 0, "a grid needs at least one column and one row");
+        assert!(W <= 1 << 15 && H <= 1 << 15, "a grid has at most 32768 columns and rows");
     }
 
     /// All nodes, row by row.

@@ -32,7 +32,7 @@
 //! | room | what it holds |
 //! |---|---|
 //! | [`scalar`] | numbers: `f32`, `f64`, fixed point |
-//! | [`vec3`], [`grid`] | vectors, and values on a grid |
+//! | [`vec3`], [`grid`], [`vectors`] | vectors, and numbers and vectors on a grid |
 //! | [`units`] | cells, ticks and particle masses; the way in from SI |
 //! | [`moment`] | where in a frame a solver is |
 //! | [`cloth`] | the state of a sheet |
@@ -72,6 +72,7 @@ pub mod scene;
 pub mod solver;
 pub mod units;
 pub mod vec3;
+pub mod vectors;
 
 pub use cloth::Cloth;
 pub use collider::{Capsule, Collider, Plane, Sphere};
@@ -85,6 +86,7 @@ pub use scene::Scene;
 pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Solver, Verlet, Xpbd};
 pub use units::{Point, Units};
 pub use vec3::Vec3;
+pub use vectors::Vectors;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -157,7 +157,7 @@ pub const BLANKET: Material = Material::measured(0.228, [152.0, 245.0, 30.3], [1
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Bend, Cloth, Damped, Grid, Leapfrog, Node, Scene, Shear, Stretch, Vec3, measure};
+    use crate::{Bend, Cloth, Damped, Leapfrog, Node, Scene, Shear, Stretch, Vec3, measure};
 
     const CELL: f64 = 0.02;
 
@@ -177,10 +177,7 @@ mod tests {
     fn strained<const N: usize>(material: Material, fold: f64, across: f64, down: f64, shear: f64) -> f64 {
         let units = units([N, N]);
         let mut cloth = Cloth::<f64, N, N>::lay(&units, units.point([0.0; 3]));
-        for position in cloth.position.values_mut() {
-            let Vec3 { x, y, .. } = *position;
-            *position = Vec3::new(x + across * x + shear * y, y + down * y, 0.0);
-        }
+        cloth.position.change(|Vec3 { x, y, .. }| Vec3::new(x + across * x + shear * y, y + down * y, 0.0));
         let springs = material.springs(&units, fold);
         measure::elastic_energy(&cloth, &units, &links(&units, springs))
     }
@@ -213,12 +210,9 @@ mod tests {
     fn folded(links: impl Fn(&Units) -> Bend<f64>, angle: f64) -> f64 {
         let units = units([5, 4]);
         let mut cloth = Cloth::<f64, 5, 4>::lay(&units, units.point([-2.0 * CELL, 0.0, 0.0]));
-        for node in Grid::<f64, 5, 4>::nodes() {
-            let position = &mut cloth.position[node];
-            if position.x > 0.0 {
-                *position = Vec3::new(position.x * libm::cos(angle), position.y, position.x * libm::sin(angle));
-            }
-        }
+        cloth.position.change(|Vec3 { x, y, z }| {
+            if x > 0.0 { Vec3::new(x * libm::cos(angle), y, x * libm::sin(angle)) } else { Vec3::new(x, y, z) }
+        });
         measure::elastic_energy(&cloth, &units, &links(&units))
     }
 
@@ -258,14 +252,14 @@ mod tests {
         let mut cloth = Cloth::<f64, 2, 1>::lay(&units, units.point([0.0; 3]));
         cloth.pin(Node::new(0, 0));
         let elongation = 0.1;
-        cloth.position.0[0][1].x += elongation;
+        cloth.position.0[0].x[1] += elongation;
         let spring = Stretch::new(&units, units.stiffness(stiffness));
         let scene = Scene::new(&units, (), Damped::new(spring, units.damping(damper)), (), Leapfrog);
         let mut memory = scene.memory();
         for _ in 0..16 {
             scene.step(&mut cloth, &mut memory);
         }
-        let found = (cloth.position.0[0][1].x - 1.0) / elongation;
+        let found = (cloth.position.0[0].x[1] - 1.0) / elongation;
         let expected = libm::exp(-decay * period);
         assert!((found - expected).abs() < 1e-5, "{found} {expected}");
     }

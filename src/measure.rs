@@ -34,7 +34,7 @@ struct Meter<'a, S: Scalar, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Meter<'_, S, W, H> {
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let length = (self.cloth.position[b] - self.cloth.position[a]).length();
+            let length = (self.cloth.position.at(b) - self.cloth.position.at(a)).length();
             let strain = (length - family.rest.length).divide(family.rest.length).abs();
             self.largest = self.largest.max(strain);
             self.sum = S::accumulate(self.sum, strain.product(strain));
@@ -72,7 +72,7 @@ pub fn elastic_energy<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
         fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
             let strength = family.strength.dividend.to_f64() / family.strength.divisor.to_f64();
             each::<ACROSS, DOWN, W, H>(|a, b| {
-                let d = (self.cloth.position[b] - self.cloth.position[a]).to_f64();
+                let d = (self.cloth.position.at(b) - self.cloth.position.at(a)).to_f64();
                 let elongation = libm::sqrt(dot(d, d)) - family.rest.length.to_f64();
                 self.energy += 0.5 * strength * elongation * elongation;
             });
@@ -95,7 +95,7 @@ fn free<S: Scalar, const W: usize, const H: usize>(
     cloth: &Cloth<S, W, H>,
 ) -> impl Iterator<Item = (f64, [f64; 3], [f64; 3])> {
     Grid::<S, W, H>::nodes().filter(|&node| !cloth.is_pinned(node)).map(|node| {
-        (1.0 / cloth.inverse_mass[node].to_f64(), cloth.position[node].to_f64(), cloth.velocity[node].to_f64())
+        (1.0 / cloth.inverse_mass[node].to_f64(), cloth.position.at(node).to_f64(), cloth.velocity.at(node).to_f64())
     })
 }
 
@@ -105,8 +105,8 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 /// The corners of the smallest upright box around a sheet, cells.
 pub fn bounds<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>) -> [Vec3<S>; 2] {
-    let first = cloth.position.0[0][0];
-    cloth.position.values().fold([first; 2], |[low, high], &x| {
+    let first = cloth.position.0[0].at(0);
+    cloth.position.values().fold([first; 2], |[low, high], x| {
         [
             Vec3::new(low.x.min(x.x), low.y.min(x.y), low.z.min(x.z)),
             Vec3::new(high.x.max(x.x), high.y.max(x.y), high.z.max(x.z)),
@@ -125,7 +125,7 @@ pub fn is_finite<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, 
 pub fn digest<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>) -> u32 {
     let mut hash = 0x811c_9dc5_u32;
     for node in Grid::<S, W, H>::nodes() {
-        for v in [cloth.position[node], cloth.velocity[node]] {
+        for v in [cloth.position.at(node), cloth.velocity.at(node)] {
             for component in [v.x, v.y, v.z] {
                 component.bits(|byte| hash = (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193));
             }

@@ -76,9 +76,9 @@ impl<F, L, C, V> Scene<F, L, C, V> {
         target: Vec3<S>,
     ) {
         // a frame is substeps/2^shift ticks, between a half and one
-        let way = target - cloth.position[node];
+        let way = target - cloth.position.at(node);
         let ticks: S = self.end().ticks();
-        cloth.velocity[node] = way.map(|component| component.divide(ticks));
+        cloth.velocity.set(node, way.map(|component| component.divide(ticks)));
     }
 
     fn end(&self) -> Moment {

@@ -80,6 +80,14 @@ impl<S: Scalar> Vec3<S> {
         S::root(self.squared())
     }
 
+    /// This vector if `this`, else the other one, without a branch.
+    #[inline(always)]
+    #[must_use]
+    pub fn or(self, other: Self, this: bool) -> Self {
+        let choose = |a, b| if this { a } else { b };
+        Self::new(choose(self.x, other.x), choose(self.y, other.y), choose(self.z, other.z))
+    }
+
     /// `self · factor`, for small whole factors.
     #[inline]
     #[must_use]

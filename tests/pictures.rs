@@ -32,7 +32,7 @@ fn draped<S: Scalar>() -> Cloth<S, 16, 16> {
         let turned = (along / radius).min(1.2);
         let away = radius * turned.sin() + hanging * (0.3 + 0.1 * (6.0 * angle).cos());
         let height = (radius * turned.cos() - 0.9 * hanging).max(0.1 - RADIUS);
-        cloth.position[node] = Vec3::from_f64([away * angle.cos(), away * angle.sin(), height]);
+        cloth.position.set(node, Vec3::from_f64([away * angle.cos(), away * angle.sin(), height]));
     }
     cloth
 }
@@ -226,9 +226,7 @@ fn a_canvas_sends_the_box_around_a_moving_sheet() {
         let Ok(()) = canvas.erase(Rgb565::BLACK);
         let Ok(()) = Wireframe::new(&cloth, &camera).draw(&mut canvas);
         let Ok(()) = canvas.flush(&mut display);
-        for position in cloth.position.values_mut() {
-            *position += Vec3::from_f64([6.0, 0.0, 0.0]);
-        }
+        cloth.position.change(|x| x + Vec3::from_f64([6.0, 0.0, 0.0]));
         display.affected_area()
     };
     let (first, second) = (sent(), sent());

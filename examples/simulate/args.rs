@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, value_parser};
 use kerchief::host::{DEFAULT_SCENE, Description, MOST, ScalarKind, SolverKind};
+
+use crate::console::{scalar_kind, solver_kind};
 
 /// Runs a scene of cloth: writes an animation and a report, or opens a window.
 #[derive(Debug, Parser)]
@@ -50,30 +51,7 @@ pub(crate) struct Args {
     pub(crate) window: bool,
 }
 
-fn scalar_kind() -> impl TypedValueParser<Value = ScalarKind> {
-    PossibleValuesParser::new(ScalarKind::ALL.map(ScalarKind::name))
-        .map(|name| ScalarKind::from_name(&name).expect("one of the names above"))
-}
-
-fn solver_kind() -> impl TypedValueParser<Value = SolverKind> {
-    PossibleValuesParser::new(SolverKind::ALL.map(SolverKind::name))
-        .map(|name| SolverKind::from_name(&name).expect("one of the names above"))
-}
-
 impl Args {
-    /// The command line, or the one line that says what is wrong with it. Help and version print themselves and exit.
-    pub(crate) fn read() -> Result<Self, String> {
-        Self::try_parse().map_err(|error| {
-            if !error.use_stderr() {
-                error.exit();
-            }
-            let text = error.render().to_string();
-            // The first paragraph holds the reason and the possible values; hints and the usage follow.
-            let reason: Vec<_> = text.lines().map(str::trim).take_while(|line| !line.is_empty()).collect();
-            reason.join(" ").trim_start_matches("error: ").to_string()
-        })
-    }
-
     /// Whether an animation is to be written.
     pub(crate) fn animation(&self) -> bool {
         self.gif || !(self.png || self.csv)

@@ -2,41 +2,34 @@
 
 mod animation;
 mod args;
+#[path = "../console/mod.rs"]
+mod console;
 mod pictures;
 mod report;
-mod staging;
 #[path = "../studio/mod.rs"]
 mod studio;
 #[cfg(feature = "window")]
 mod window;
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
-use std::{fs, io};
 
-use indicatif::{ProgressBar, ProgressStyle};
-use kerchief::host::{BUILT_IN, Description, Still, built_in};
+use kerchief::host::{BUILT_IN, Still};
 
 use args::Args;
+use console::progress;
+use console::staging::{self, Staged};
 use pictures::Album;
 use report::Watch;
-use staging::Staged;
 
 fn main() -> ExitCode {
-    match Args::read().and_then(|args| run(&args)) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(line) => {
-            // Nobody left to tell is no reason to panic.
-            let _ = writeln!(io::stderr(), "error: {line}");
-            ExitCode::from(2)
-        }
-    }
+    console::exit(console::read().and_then(|args: Args| run(&args)))
 }
 
 fn run(args: &Args) -> Result<(), String> {
-    let mut scene = load(&args.scene)?;
+    let (_, mut scene) = console::load(&args.scene, BUILT_IN)?;
     args.override_scene(&mut scene);
     if args.window {
         #[cfg(feature = "window")]
@@ -95,32 +88,6 @@ fn run(args: &Args) -> Result<(), String> {
     file.finish()?;
     let _ = writeln!(io::stdout(), "{report}\nwritten to        {}", args.out.display());
     Ok(())
-}
-
-/// The scene of that name, or in that file.
-fn load(scene: &str) -> Result<Description, String> {
-    let text = match built_in(scene) {
-        Some(scene) => scene.text.to_string(),
-        None => fs::read_to_string(scene).map_err(|error| {
-            if error.kind() == io::ErrorKind::NotFound && !scene.contains(['.', '/', '\\']) {
-                let names: Vec<_> = BUILT_IN.iter().map(|scene| scene.name).collect();
-                format!("no scene or file {scene:?}; built-in scenes: {}", names.join(", "))
-            } else {
-                format!("{scene}: {error}")
-            }
-        })?,
-    };
-    let mut description = Description::parse(&text).map_err(|error| format!("{scene}: {error}"))?;
-    if description.name.is_empty() {
-        description.name = Path::new(scene).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    }
-    Ok(description)
-}
-
-/// A bar on stderr; none where that is no terminal.
-fn progress(what: &'static str, length: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:>8} {wide_bar} {pos}/{len} {eta}").expect("a template");
-    ProgressBar::new(length).with_style(style).with_message(what)
 }
 
 /// `positions.csv`.

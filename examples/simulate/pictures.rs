@@ -7,7 +7,7 @@ use kerchief::host::{Description, Still};
 use rayon::prelude::*;
 
 use crate::animation::{Animation, Palette};
-use crate::staging::Staged;
+use crate::console::staging::Staged;
 use crate::studio::Studio;
 
 /// The side of a picture, pixels.

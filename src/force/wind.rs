@@ -26,7 +26,7 @@ impl<S: Scalar> Force<S> for FacetWind<S> {
     const UNIFORM: bool = false;
 
     #[inline]
-    fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut [Vec3<S>; W]; 2]) {
+    fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
         triangles(rows, gains, |corners, _| {
             let n = normal(corners);
             let length = n.length();
@@ -58,7 +58,7 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
     const UNIFORM: bool = false;
 
     #[inline]
-    fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut [Vec3<S>; W]; 2]) {
+    fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
         let third = S::ONE.divide(S::from_int(3));
         triangles(rows, gains, |corners, [a, b, c]| {
             let n = normal(corners);
@@ -83,18 +83,18 @@ fn normal<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Vec3<S> {
 #[inline]
 fn triangles<S: Scalar, const W: usize>(
     [top, bottom]: [Row<'_, S, W>; 2],
-    [upper, lower]: [&mut [Vec3<S>; W]; 2],
+    [upper, lower]: [&mut Vec3<[S; W]>; 2],
     gain: impl Fn([Vec3<S>; 3], [Vec3<S>; 3]) -> Vec3<S>,
 ) {
     for left in 0..W.saturating_sub(1) {
         let right = left + 1;
-        let [p, q] = [left, right].map(|column| (top.position[column], top.velocity[column]));
-        let [s, t] = [left, right].map(|column| (bottom.position[column], bottom.velocity[column]));
+        let [p, q] = [left, right].map(|column| (top.position.at(column), top.velocity.at(column)));
+        let [s, t] = [left, right].map(|column| (bottom.position.at(column), bottom.velocity.at(column)));
         let [first, second] =
             [[q, p, s], [t, q, s]].map(|corners| gain(corners.map(|(x, _)| x), corners.map(|(_, v)| v)));
-        upper[left] += first;
-        upper[right] += first + second;
-        lower[left] += first + second;
-        lower[right] += second;
+        upper.add(left, first);
+        upper.add(right, first + second);
+        lower.add(left, first + second);
+        lower.add(right, second);
     }
 }

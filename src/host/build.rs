@@ -3,14 +3,15 @@
 use std::format;
 use std::vec::Vec;
 
-use super::description::{Description, Pose, Spring, Surface, Wind, WindModel};
+use super::description::{Description, Pose, Spring, Surface};
 use super::error::SceneError;
 use super::fit::Fit;
+use super::parts::{Obstacles, Parts, Springs};
 use crate::cloth::Cloth;
 use crate::collider::{Capsule, Collider, Plane, Sphere};
-use crate::force::{AerodynamicWind, Drag, FacetWind, Gravity};
+use crate::force::{Drag, Gravity};
 use crate::grid::Node;
-use crate::link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether, Visitor};
+use crate::link::{Bend, Links, Shear, StrainLimited, Stretch, Tether, Visitor};
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Strength, Units};
@@ -19,20 +20,19 @@ use crate::vec3::Vec3;
 /// Pins that tethers may hold to.
 const ANCHORS: usize = 256;
 
-pub(super) type Air<S> = (Option<FacetWind<S>>, Option<AerodynamicWind<S>>);
-pub(super) type Forces<S> = (Gravity<S>, Option<Drag<S>>, Air<S>);
-type Springs<S> = (Option<Damped<Stretch<S>, S>>, Option<Damped<Shear<S>, S>>, Option<Damped<Bend<S>, S>>);
+pub(super) type Forces<S, P> = (Gravity<S>, Option<Drag<S>>, <P as Parts<S>>::Air);
+type Family<S, P, L> = Option<<P as Parts<S>>::Springs<L>>;
+type Families<S, P> = (Family<S, P, Stretch<S>>, Family<S, P, Shear<S>>, Family<S, P, Bend<S>>);
 
 /// All links of a scene, each family there or not.
-#[derive(Debug)]
-pub(super) struct SceneLinks<S: Scalar> {
-    pub(super) springs: Springs<S>,
-    limit: Option<StrainLimited<Springs<S>, S>>,
+pub(super) struct SceneLinks<S: Scalar + Send, P: Parts<S>> {
+    pub(super) springs: Families<S, P>,
+    limit: Option<StrainLimited<Families<S, P>, S>>,
     tether: Option<Tether<S, ANCHORS>>,
 }
 
-impl<S: Scalar> Links<S> for SceneLinks<S> {
-    const DAMPED: bool = true;
+impl<S: Scalar + Send, P: Parts<S>> Links<S> for SceneLinks<S, P> {
+    const DAMPED: bool = <Families<S, P> as Links<S>>::DAMPED;
 
     fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
         self.springs.springs(visitor);
@@ -74,11 +74,10 @@ impl<S: Scalar> Collider<S> for Obstacle<S> {
 
 /// Everything in the sheet's way.
 #[derive(Debug)]
-pub(super) struct Obstacles<S>(Vec<Obstacle<S>>);
+pub struct Solids<S>(Vec<Obstacle<S>>);
 
-impl<S: Scalar> Obstacles<S> {
-    /// Where the balls are, m.
-    pub(super) fn centres(&self, units: &Units) -> Vec<[f64; 3]> {
+impl<S: Scalar + Send> Obstacles<S> for Solids<S> {
+    fn centres(&self, units: &Units) -> Vec<[f64; 3]> {
         let centre = |obstacle: &Obstacle<S>| match obstacle {
             Obstacle::Sphere(sphere) => Some(sphere.centre.to_f64().map(|component| component * units.cell)),
             _ => None,
@@ -86,8 +85,7 @@ impl<S: Scalar> Obstacles<S> {
         self.0.iter().filter_map(centre).collect()
     }
 
-    /// Moves the balls to `centres`, m.
-    pub(super) fn set_centres(&mut self, units: &Units, centres: &[[f64; 3]]) {
+    fn set_centres(&mut self, units: &Units, centres: &[[f64; 3]]) {
         let spheres = self.0.iter_mut().filter_map(|obstacle| match obstacle {
             Obstacle::Sphere(sphere) => Some(sphere),
             _ => None,
@@ -98,7 +96,7 @@ impl<S: Scalar> Obstacles<S> {
     }
 }
 
-impl<S: Scalar> Collider<S> for Obstacles<S> {
+impl<S: Scalar> Collider<S> for Solids<S> {
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
         self.0.as_slice().contact(moment, position, moved)
     }
@@ -160,7 +158,7 @@ impl Description {
         Ok(cloth)
     }
 
-    pub(super) fn forces<S: Scalar>(&self, units: &Units) -> Result<Forces<S>, SceneError> {
+    pub(super) fn forces<S: Scalar + Send, P: Parts<S>>(&self, units: &Units) -> Result<Forces<S, P>, SceneError> {
         let drag = match self.drag {
             Some(drag) => {
                 let rate = units.drag(drag.rate);
@@ -169,14 +167,14 @@ impl Description {
             }
             None => None,
         };
-        Ok((gravity(units, self.gravity)?, drag, air(units, self.wind.as_ref())?))
+        Ok((gravity(units, self.gravity)?, drag, P::air(units, self.wind.as_ref())?))
     }
 
-    pub(super) fn links<S: Scalar>(&self, units: &Units) -> Result<SceneLinks<S>, SceneError> {
+    pub(super) fn links<S: Scalar + Send, P: Parts<S>>(&self, units: &Units) -> Result<SceneLinks<S, P>, SceneError> {
         let springs = (
-            damped(units, "stretch", self.stretch, Stretch::new)?,
-            damped(units, "shear", self.shear, Shear::new)?,
-            damped(units, "bend", self.bend, Bend::new)?,
+            family::<S, P, _>(units, "stretch", self.stretch, Stretch::new)?,
+            family::<S, P, _>(units, "shear", self.shear, Shear::new)?,
+            family::<S, P, _>(units, "bend", self.bend, Bend::new)?,
         );
         let limit = match self.solver.strain_limit {
             Some(limit) => {
@@ -201,7 +199,7 @@ impl Description {
         Ok(SceneLinks { springs, limit, tether })
     }
 
-    pub(super) fn obstacles<S: Scalar>(&self, units: &Units) -> Result<Obstacles<S>, SceneError> {
+    pub(super) fn solids<S: Scalar>(&self, units: &Units) -> Result<Solids<S>, SceneError> {
         let mut obstacles = Vec::new();
         let reach = |table: &str, radius: f64, surface: &Surface| {
             // A contact compares squares of lengths that may be twice as long.
@@ -242,7 +240,7 @@ impl Description {
             let (radius, margin) = (units.length(capsule.radius), units.length(capsule.surface.margin));
             obstacles.push(Obstacle::Capsule(Capsule::new(a, b, radius, margin).with_friction(friction)));
         }
-        Ok(Obstacles(obstacles))
+        Ok(Solids(obstacles))
     }
 }
 
@@ -253,34 +251,14 @@ pub(super) fn gravity<S: Scalar>(units: &Units, gravity: [f64; 3]) -> Result<Gra
     Ok(Gravity::new(acceleration))
 }
 
-/// The core's wind.
-pub(super) fn air<S: Scalar>(units: &Units, wind: Option<&Wind>) -> Result<Air<S>, SceneError> {
-    let key = "environment.wind.velocity";
-    match wind {
-        None => Ok((None, None)),
-        Some(Wind { velocity, model: WindModel::Facet }) => {
-            let flow = units.facet_wind(*velocity);
-            Fit::<S>::vector(key, flow.wind)?;
-            Ok((Some(FacetWind::new(flow)), None))
-        }
-        Some(Wind { velocity, model: WindModel::Aerodynamic { density, drag_coefficient } }) => {
-            let flow = units.aerodynamic_wind(*velocity, *density, *drag_coefficient);
-            Fit::<S>::vector(key, flow.wind)?;
-            Fit::<S>::number("environment.wind.density", flow.pressure)?;
-            Ok((None, Some(AerodynamicWind::new(flow))))
-        }
-    }
-}
-
-fn damped<S: Scalar, L>(
+fn family<S: Scalar + Send, P: Parts<S>, L: Springs<S>>(
     units: &Units,
     table: &str,
     spring: Option<Spring>,
     family: impl Fn(&Units, Strength) -> L,
-) -> Result<Option<Damped<L, S>>, SceneError> {
+) -> Result<Family<S, P, L>, SceneError> {
     let Some(spring) = spring else { return Ok(None) };
-    let (strength, damping) = (units.stiffness(spring.stiffness), units.damping(spring.damping));
+    let strength = units.stiffness(spring.stiffness);
     Fit::<S>::number(format!("{table}.{}", spring.key), strength.dividend)?;
-    Fit::<S>::number(format!("{table}.damping"), damping.dividend)?;
-    Ok(Some(Damped::new(family(units, strength), damping)))
+    P::springs(units, table, family(units, strength), spring.damping).map(Some)
 }

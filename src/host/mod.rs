@@ -42,10 +42,11 @@
 //! | `[[plane]]` | `point`, `normal` | m; outwards, any length |
 //! | `[[capsule]]` | `a`, `b`, `radius` | ends of the axis and radius, m |
 //! | all three | `margin`, `friction` | distance that particles keep, m ≥ 0 \[0\]; Coulomb's coefficient, ≥ 0 \[0\] |
-//! | `[solver]` | `kind` | a [`SolverKind`] \[`"xpbd"`\] |
+//! | `[solver]` | `kind` | a [`SolverKind`] \[`"lines"`\] |
 //! | | `step` | a frame, s > 0 \[1/60\] |
 //! | | `substeps` | solver steps in a frame \[8\] |
-//! | | `iterations` | of Verlet, lines and backward Euler in a substep \[1\] |
+//! | | `iterations` | sweeps of Verlet, pairs of sweeps of lines, Newton steps of backward Euler in a substep \[1\] |
+//! | | `tolerance` | strain of a row for which lines spend further sweeps, > 0 \[0.02\] |
 //! | | `strain_limit` | no link longer than 1 + limit times its rest length, > 0 |
 //! | `[run]` | `frames` | \[100\] |
 //! | `[picture]` | `azimuth`, `elevation` | from where it is looked at, degrees \[30, 20\] |
@@ -56,12 +57,14 @@
 
 mod build;
 mod builtin;
+mod counted;
 mod description;
 mod error;
 mod file;
 mod fit;
 #[cfg(feature = "graphics")]
 mod painter;
+mod parts;
 mod quantity;
 mod resolve;
 mod run;
@@ -69,6 +72,7 @@ mod shape;
 mod solver;
 
 pub use builtin::{BUILT_IN, BuiltIn, DEFAULT_SCENE, built_in};
+pub use counted::{Counted, Operations};
 pub use description::{
     Capsule, Description, Drag, Picture, Plane, Pose, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Weave, Wind,
     WindModel,
@@ -76,6 +80,7 @@ pub use description::{
 pub use error::SceneError;
 #[cfg(feature = "graphics")]
 pub use painter::Painter;
+pub use parts::{Bare, Basics, Everything, Obstacles, Parts, Springs};
 pub use quantity::MOST;
 pub use run::{ScalarKind, Simulation, State, Still, Strain, Strains};
 pub use shape::SHAPES;

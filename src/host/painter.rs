@@ -89,11 +89,12 @@ impl<'a> Painter<'a> {
         target: &mut D,
     ) -> Result<(), D::Error> {
         let mut cloth = Cloth::<f32, W, H>::lay(&self.units, Point([0.0; 3]));
-        for (position, metres) in cloth.position.0.as_flattened_mut().iter_mut().zip(&still.positions) {
-            // What is not even a number any more is drawn far below.
-            let near = |cells: f64| if cells.is_nan() { -FURTHEST } else { cells.clamp(-FURTHEST, FURTHEST) };
-            *position = Vec3::from_f64(self.units.point(*metres).0.map(near));
-        }
+        // What is not even a number any more is drawn far below.
+        let near = |cells: f64| if cells.is_nan() { -FURTHEST } else { cells.clamp(-FURTHEST, FURTHEST) };
+        let mut positions = still.positions.iter();
+        cloth
+            .position
+            .change(|x| positions.next().map_or(x, |&metres| Vec3::from_f64(self.units.point(metres).0.map(near))));
         let camera = Camera::new(&self.view, self.screen);
         let solids = (&*self.balls(still), &*self.rods());
         let mut ground = self.ground.shadow(Shadow::<160>::new(SHADOW).soften(6));

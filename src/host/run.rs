@@ -3,9 +3,10 @@
 use std::boxed::Box;
 use std::vec::Vec;
 
-use super::build::{Forces, Obstacles, SceneLinks, air, gravity};
+use super::build::{Forces, SceneLinks, gravity};
 use super::description::{Description, Wind};
 use super::error::SceneError;
+use super::parts::{Everything, Obstacles, Parts};
 use super::shape::for_each_shape;
 use super::solver::{AnySolver, Memory};
 use crate::cloth::Cloth;
@@ -136,13 +137,38 @@ impl Description {
             ScalarKind::Q24 => shaped::<Q24>(self),
         }
     }
+
+    /// Sets the scene up from chosen parts, in a number type and on a grid that are known when the program is compiled.
+    ///
+    /// # Errors
+    ///
+    /// If the scene has another grid or names what the parts do not have, or the number type does not hold a value.
+    ///
+    /// ```
+    /// use kerchief::host::{Bare, Counted, Description, built_in};
+    ///
+    /// let scene = Description::parse(built_in("gravity").unwrap().text)?;
+    /// let mut simulation = scene.simulation_on::<Bare, Counted, 32, 32>()?;
+    /// Counted::reset();
+    /// simulation.frame();
+    /// assert!(Counted::operations().total() > 0);
+    /// # Ok::<(), kerchief::host::SceneError>(())
+    /// ```
+    pub fn simulation_on<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize>(
+        &self,
+    ) -> Result<Box<dyn Simulation>, SceneError> {
+        if (self.sheet.columns, self.sheet.rows) != (W, H) {
+            return Err(SceneError::new("cloth.columns", std::format!("not a grid of {W} × {H} particles")));
+        }
+        Running::<P, S, W, H>::boxed(self)
+    }
 }
 
 fn shaped<S: Scalar + Send>(description: &Description) -> Result<Box<dyn Simulation>, SceneError> {
     macro_rules! choose {
         ($(($columns:literal, $rows:literal, $faces:literal))*) => {
             match (description.sheet.columns, description.sheet.rows) {
-                $(($columns, $rows) => Running::<S, $columns, $rows>::boxed(description),)*
+                $(($columns, $rows) => Running::<Everything, S, $columns, $rows>::boxed(description),)*
                 _ => Err(SceneError::new("cloth.columns", "unsupported grid")),
             }
         };
@@ -150,17 +176,17 @@ fn shaped<S: Scalar + Send>(description: &Description) -> Result<Box<dyn Simulat
     for_each_shape!(choose)
 }
 
-struct Running<S: Scalar, const W: usize, const H: usize> {
+struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     units: Units,
     gravity: [f64; 3],
-    scene: Scene<Forces<S>, SceneLinks<S>, Obstacles<S>, AnySolver>,
+    scene: Scene<Forces<S, P>, SceneLinks<S, P>, P::Obstacles, AnySolver>,
     cloth: Box<Cloth<S, W, H>>,
     /// Inverse masses of the sheet without pins.
     unpinned: Box<Grid<S, W, H>>,
     memory: Memory<S, W, H>,
 }
 
-impl<S: Scalar + Send, const W: usize, const H: usize> Running<S, W, H> {
+impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S, W, H> {
     fn boxed(description: &Description) -> Result<Box<dyn Simulation>, SceneError> {
         let units = description.units()?;
         let mut cloth = Box::new(description.cloth::<S, W, H>(&units)?);
@@ -168,15 +194,15 @@ impl<S: Scalar + Send, const W: usize, const H: usize> Running<S, W, H> {
         for &[column, row] in &description.sheet.pins {
             cloth.pin(Node { column, row });
         }
-        let forces = description.forces(&units)?;
-        let (links, obstacles) = (description.links(&units)?, description.obstacles(&units)?);
+        let forces = description.forces::<S, P>(&units)?;
+        let (links, obstacles) = (description.links::<S, P>(&units)?, P::obstacles(description, &units)?);
         let scene = Scene::new(&units, forces, links, obstacles, AnySolver::new::<S>(description)?);
         let memory = scene.memory();
         Ok(Box::new(Self { units, gravity: description.gravity, scene, cloth, unpinned, memory }))
     }
 }
 
-impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S, W, H> {
+impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<P, S, W, H> {
     fn frame(&mut self) {
         self.scene.step(&mut self.cloth, &mut self.memory);
         self.scene.advance::<S>();
@@ -184,7 +210,7 @@ impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S,
 
     fn still(&self) -> Still {
         Still {
-            positions: scaled(self.cloth.position.0.as_flattened(), self.units.cell),
+            positions: scaled(&mut self.cloth.position.values(), self.units.cell),
             spheres: self.scene.colliders.centres(&self.units),
         }
     }
@@ -217,7 +243,7 @@ impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S,
         let speed = self.units.cell / self.units.tick();
         State {
             still: self.still(),
-            velocities: scaled(self.cloth.velocity.0.as_flattened(), speed),
+            velocities: scaled(&mut self.cloth.velocity.values(), speed),
             pinned: self.cloth.inverse_mass.0.as_flattened().iter().map(|inverse| *inverse == S::ZERO).collect(),
         }
     }
@@ -228,8 +254,9 @@ impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S,
         for (index, inverse_mass) in inverse_mass.0.as_flattened_mut().iter_mut().enumerate() {
             *inverse_mass = if state.pinned[index] { S::ZERO } else { unpinned[index] };
         }
-        read(position.0.as_flattened_mut(), &state.still.positions, |x| self.units.point(x).0);
-        read(velocity.0.as_flattened_mut(), &state.velocities, |v| self.units.velocity(v).0);
+        let (mut positions, mut velocities) = (state.still.positions.iter(), state.velocities.iter());
+        position.change(|x| positions.next().map_or(x, |&metres| self.units.point(metres).to_vec()));
+        velocity.change(|v| velocities.next().map_or(v, |&speed| Vec3::from_f64(self.units.velocity(speed).0)));
         self.scene.colliders.set_centres(&self.units, &state.still.spheres);
         self.memory = self.scene.memory();
     }
@@ -250,21 +277,14 @@ impl<S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<S,
     }
 
     fn set_wind(&mut self, wind: Option<&Wind>) -> Result<(), SceneError> {
-        self.scene.forces.2 = air(&self.units, wind)?;
+        self.scene.forces.2 = P::air(&self.units, wind)?;
         Ok(())
     }
 }
 
-// Functions of slices: they are compiled for each number type, not for each grid.
-
-fn scaled<S: Scalar>(vectors: &[Vec3<S>], unit: f64) -> Vec<[f64; 3]> {
-    vectors.iter().map(|vector| vector.to_f64().map(|component| component * unit)).collect()
-}
-
-fn read<S: Scalar>(vectors: &mut [Vec3<S>], values: &[[f64; 3]], units: impl Fn([f64; 3]) -> [f64; 3]) {
-    for (vector, value) in vectors.iter_mut().zip(values) {
-        *vector = Vec3::from_f64(units(*value));
-    }
+/// Compiled for each number type, not for each grid.
+fn scaled<S: Scalar>(vectors: &mut dyn Iterator<Item = Vec3<S>>, unit: f64) -> Vec<[f64; 3]> {
+    vectors.map(|vector| vector.to_f64().map(|component| component * unit)).collect()
 }
 
 fn strain<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, links: &impl Links<S>) -> Strain {

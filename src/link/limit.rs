@@ -64,7 +64,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Shorten<'_, S, W,
         let target = longest - longest.halve(10);
         let square = longest.product(longest);
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let d = self.cloth.position[b] - self.cloth.position[a];
+            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
             let squared = d.squared();
             if squared <= square {
                 return;

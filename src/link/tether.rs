@@ -33,7 +33,7 @@ impl<S: Scalar, const N: usize> Tether<S, N> {
 impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
     fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
         for &anchor in &self.anchors {
-            let pin = cloth.position[anchor];
+            let pin = cloth.position.at(anchor);
             for node in Grid::<S, W, H>::nodes() {
                 if cloth.is_pinned(node) {
                     continue;
@@ -41,7 +41,7 @@ impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
                 let across = self.sides[0].times(node.column as i32 - anchor.column as i32);
                 let down = self.sides[1].times(node.row as i32 - anchor.row as i32);
                 let longest = across.product(across) + down.product(down);
-                let d = pin - cloth.position[node];
+                let d = pin - cloth.position.at(node);
                 let squared = d.squared();
                 // slack: no root
                 if squared > longest {

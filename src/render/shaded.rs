@@ -84,7 +84,7 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
         let mut count = 0;
         for row in 1..H {
             for column in 1..W {
-                let [p, q, s, t] = corners(column - 1, row - 1).map(|node| cloth.position[node].halve(2));
+                let [p, q, s, t] = corners(column - 1, row - 1).map(|node| cloth.position.at(node).halve(2));
                 let place = camera.place(p + q + s + t);
                 if place.z < Camera::<S>::near() {
                     continue;
@@ -120,7 +120,7 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
         for key in &self.order.0.as_flattened()[..count] {
             let cell = (key & 0xffff) as usize;
             let cell = Node::new(cell % W, cell / W);
-            let corners = corners(cell.column, cell.row).map(|node| cloth.position[node]);
+            let corners = corners(cell.column, cell.row).map(|node| cloth.position.at(node));
             if N == 1 {
                 let place = Place::middle::<W, H>(cell, [0, 0], 1);
                 easel.face(corners, &place, target)?;

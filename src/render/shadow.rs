@@ -130,7 +130,7 @@ impl<const N: usize> Cast for Shadow<N> {
             Vec3::new(field.towards.x.divide(field.towards.z), field.towards.y.divide(field.towards.z), S::ZERO);
         let half = 128 * N as i32;
         let spot = |column, row| {
-            let offset = (cloth.position[Node::new(column, row)] - field.centre) * scale;
+            let offset = (cloth.position.at(Node::new(column, row)) - field.centre) * scale;
             let fallen = offset - slope * offset.z.max(S::ZERO);
             Spot { x: fallen.x.round_times(half) + half, y: fallen.y.round_times(half) + half }
         };

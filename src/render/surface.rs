@@ -1,15 +1,16 @@
 //! The surface between the particles.
 
-use crate::grid::{Grid, Node};
+use crate::grid::Node;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
+use crate::vectors::Vectors;
 
 /// The surface through all particles whose tangent in each is that of its neighbours' chord (Catmull and Rom, "A class of local
 /// interpolating splines", 1974), both ways; beyond the border it goes on straight.
 ///
 /// `column` and `row` name the first corner of a cell, `across` and `down` (0 to 1) the place in it.
 pub(super) fn point<S: Scalar, const W: usize, const H: usize>(
-    position: &Grid<Vec3<S>, W, H>,
+    position: &Vectors<S, W, H>,
     corner: Node,
     across: S,
     down: S,
@@ -37,7 +38,7 @@ fn weights<S: Scalar>(u: S) -> [S; 4] {
 }
 
 fn beyond_rows<S: Scalar, const W: usize, const H: usize>(
-    position: &Grid<Vec3<S>, W, H>,
+    position: &Vectors<S, W, H>,
     column: i32,
     row: i32,
 ) -> Vec3<S> {
@@ -52,11 +53,11 @@ fn beyond_rows<S: Scalar, const W: usize, const H: usize>(
 }
 
 fn beyond_columns<S: Scalar, const W: usize, const H: usize>(
-    position: &Grid<Vec3<S>, W, H>,
+    position: &Vectors<S, W, H>,
     column: i32,
     row: i32,
 ) -> Vec3<S> {
-    let at = |column: i32| position[Node::new(column as usize, row as usize)];
+    let at = |column: i32| position.at(Node::new(column as usize, row as usize));
     let last = W as i32 - 1;
     if column < 0 {
         at(0).double(1) - at(1)
@@ -70,14 +71,15 @@ fn beyond_columns<S: Scalar, const W: usize, const H: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::Grid;
     use crate::scalar::Q24;
 
     /// A sheet on x² − y, in quarters so that all types hold it exactly.
-    fn sheet<S: Scalar>() -> Grid<Vec3<S>, 5, 4> {
-        let mut grid = Grid::filled(Vec3::ZERO);
+    fn sheet<S: Scalar>() -> Vectors<S, 5, 4> {
+        let mut grid = Vectors::filled(Vec3::ZERO);
         for node in Grid::<S, 5, 4>::nodes() {
             let (x, y) = (node.column as f64 / 2.0, node.row as f64 / 2.0);
-            grid[node] = Vec3::from_f64([x, y, x * x - y]);
+            grid.set(node, Vec3::from_f64([x, y, x * x - y]));
         }
         grid
     }
@@ -103,7 +105,7 @@ mod tests {
                 assert_eq!(point(&grid, Node::new(0, 1), S::ONE, u), point(&grid, Node::new(1, 1), S::ZERO, u));
                 assert_eq!(point(&grid, Node::new(2, 0), u, S::ONE), point(&grid, Node::new(2, 1), u, S::ZERO));
             }
-            assert_eq!(point(&grid, Node::new(3, 2), S::ONE, S::ONE), grid[Node::new(4, 3)]);
+            assert_eq!(point(&grid, Node::new(3, 2), S::ONE, S::ONE), grid.at(Node::new(4, 3)));
         }
         check::<f64>();
         check::<f32>();

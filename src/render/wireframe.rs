@@ -91,10 +91,10 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Wireframe<'a, S, W, H> {
             }
             for start in crate::grid::Grid::<S, W, H>::nodes().filter(|&node| step(node, -1).is_none()) {
                 // a walk along the links computes each particle's place once
-                let mut last = self.camera.place(self.cloth.position[start]);
+                let mut last = self.camera.place(self.cloth.position.at(start));
                 let mut node = start;
                 while let Some(next) = step(node, 1) {
-                    let place = self.camera.place(self.cloth.position[next]);
+                    let place = self.camera.place(self.cloth.position.at(next));
                     if let Some(line) = self.line(last, place) {
                         draw(line, (last.z + place.z).halve(1))?;
                     }

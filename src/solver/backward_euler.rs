@@ -20,6 +20,7 @@ use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, predict};
 use crate::vec3::Vec3;
+use crate::vectors::Vectors;
 
 /// Backward Euler, first order, stable for any stiffness and step; it damps what it can't resolve.
 ///
@@ -43,18 +44,18 @@ const PATIENCE: u32 = 24;
 /// The five vectors of Newton's method and conjugate gradients.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<S, const W: usize, const H: usize> {
-    correction: Grid<Vec3<S>, W, H>,
-    step: Grid<Vec3<S>, W, H>,
-    residual: Grid<Vec3<S>, W, H>,
-    direction: Grid<Vec3<S>, W, H>,
-    product: Grid<Vec3<S>, W, H>,
+    correction: Vectors<S, W, H>,
+    step: Vectors<S, W, H>,
+    residual: Vectors<S, W, H>,
+    direction: Vectors<S, W, H>,
+    product: Vectors<S, W, H>,
 }
 
 impl<S: Scalar> Solver<S> for BackwardEuler {
     type Memory<const W: usize, const H: usize> = Memory<S, W, H>;
 
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
-        let zero = Grid::filled(Vec3::ZERO);
+        let zero = Vectors::filled(Vec3::ZERO);
         Memory { correction: zero, step: zero, residual: zero, direction: zero, product: zero }
     }
 
@@ -72,13 +73,13 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
             if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
         });
         let system = System { inertia, scale: scale(physics.links) };
-        memory.correction = Grid::filled(Vec3::ZERO);
+        memory.correction = Vectors::filled(Vec3::ZERO);
         for _ in 0..self.newton_steps {
             system.residual(physics.links, cloth, memory, shift);
             system.conjugate_gradients(physics.links, cloth, memory);
             for node in Grid::<S, W, H>::nodes() {
-                let step = memory.step[node];
-                memory.correction[node] += step;
+                let step = memory.step.at(node);
+                memory.correction.add(node, step);
                 cloth.displace(node, step, moment);
             }
         }
@@ -116,8 +117,10 @@ impl<S: Scalar> System<S> {
         shift: u32,
     ) {
         for node in Grid::<S, W, H>::nodes() {
-            memory.residual[node] =
-                if cloth.is_pinned(node) { Vec3::ZERO } else { -(memory.correction[node] * self.mass(cloth, node)) };
+            memory.residual.set(
+                node,
+                if cloth.is_pinned(node) { Vec3::ZERO } else { -(memory.correction.at(node) * self.mass(cloth, node)) },
+            );
         }
         links.springs(&mut Pull { system: self, cloth, residual: &mut memory.residual });
         if L::DAMPED {
@@ -130,11 +133,14 @@ impl<S: Scalar> System<S> {
         &self,
         links: &L,
         cloth: &Cloth<S, W, H>,
-        direction: &Grid<Vec3<S>, W, H>,
-        product: &mut Grid<Vec3<S>, W, H>,
+        direction: &Vectors<S, W, H>,
+        product: &mut Vectors<S, W, H>,
     ) {
         for node in Grid::<S, W, H>::nodes() {
-            product[node] = if cloth.is_pinned(node) { Vec3::ZERO } else { direction[node] * self.mass(cloth, node) };
+            product.set(
+                node,
+                if cloth.is_pinned(node) { Vec3::ZERO } else { direction.at(node) * self.mass(cloth, node) },
+            );
         }
         links.springs(&mut Stiffness { system: self, cloth, direction, product });
         if L::DAMPED {
@@ -151,7 +157,7 @@ impl<S: Scalar> System<S> {
         memory: &mut Memory<S, W, H>,
     ) {
         let Memory { step, residual, direction, product, .. } = memory;
-        *step = Grid::filled(Vec3::ZERO);
+        *step = Vectors::filled(Vec3::ZERO);
         *direction = *residual;
         let tolerance = S::from_f64(TOLERANCE * TOLERANCE);
         let start = dot(residual, residual);
@@ -165,8 +171,8 @@ impl<S: Scalar> System<S> {
             }
             let length = S::quotient(squared, curvature);
             for node in Grid::<S, W, H>::nodes() {
-                step[node] += direction[node] * length;
-                residual[node] -= product[node] * length;
+                step.add(node, direction.at(node) * length);
+                residual.add(node, -(product.at(node) * length));
             }
             let next = dot(residual, residual);
             if next <= floor || (!S::FLOATS && age > PATIENCE) || S::quotient(next, start) < tolerance {
@@ -179,14 +185,14 @@ impl<S: Scalar> System<S> {
             let turn = S::quotient(next, squared);
             squared = next;
             for node in Grid::<S, W, H>::nodes() {
-                direction[node] = residual[node] + direction[node] * turn;
+                direction.set(node, residual.at(node) + direction.at(node) * turn);
             }
         }
     }
 }
 
-fn dot<S: Scalar, const W: usize, const H: usize>(a: &Grid<Vec3<S>, W, H>, b: &Grid<Vec3<S>, W, H>) -> S::Sum {
-    a.values().zip(b.values()).fold(S::EMPTY, |sum, (&a, &b)| S::accumulate(sum, a.dot_wide(b)))
+fn dot<S: Scalar, const W: usize, const H: usize>(a: &Vectors<S, W, H>, b: &Vectors<S, W, H>) -> S::Sum {
+    a.values().zip(b.values()).fold(S::EMPTY, |sum, (a, b)| S::accumulate(sum, a.dot_wide(b)))
 }
 
 /// The square of a residual that is round-off alone: in fixed point one unit of the last place in every component.
@@ -195,10 +201,10 @@ fn round_off<S: Scalar, const W: usize, const H: usize>() -> S::Sum {
     (0..3 * W * H).fold(S::EMPTY, |sum, _| S::accumulate(sum, place.product(place)))
 }
 
-fn clear_pins<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, vector: &mut Grid<Vec3<S>, W, H>) {
+fn clear_pins<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, vector: &mut Vectors<S, W, H>) {
     for node in Grid::<S, W, H>::nodes() {
         if cloth.is_pinned(node) {
-            vector[node] = Vec3::ZERO;
+            vector.set(node, Vec3::ZERO);
         }
     }
 }
@@ -220,17 +226,17 @@ fn scale<S: Scalar, L: Links<S>>(links: &L) -> S {
 struct Pull<'a, S, const W: usize, const H: usize> {
     system: &'a System<S>,
     cloth: &'a Cloth<S, W, H>,
-    residual: &'a mut Grid<Vec3<S>, W, H>,
+    residual: &'a mut Vectors<S, W, H>,
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Pull<'_, S, W, H> {
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let stiffness = self.system.stiffness(family);
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let d = self.cloth.position[b] - self.cloth.position[a];
+            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
             let pull = d * (S::elongation(d.squared(), &family.rest) * stiffness);
-            self.residual[a] += pull;
-            self.residual[b] -= pull;
+            self.residual.add(a, pull);
+            self.residual.add(b, -pull);
         });
     }
 }
@@ -239,7 +245,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Pull<'_, S, W, H>
 struct Brake<'a, S, const W: usize, const H: usize> {
     system: &'a System<S>,
     cloth: &'a Cloth<S, W, H>,
-    residual: &'a mut Grid<Vec3<S>, W, H>,
+    residual: &'a mut Vectors<S, W, H>,
     shift: u32,
 }
 
@@ -247,9 +253,9 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let damping = self.system.stiffness(family);
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let pull = (self.cloth.velocity[b] - self.cloth.velocity[a]).halve(self.shift) * damping;
-            self.residual[a] += pull;
-            self.residual[b] -= pull;
+            let pull = (self.cloth.velocity.at(b) - self.cloth.velocity.at(a)).halve(self.shift) * damping;
+            self.residual.add(a, pull);
+            self.residual.add(b, -pull);
         });
     }
 }
@@ -258,8 +264,8 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H
 struct Stiffness<'a, S, const W: usize, const H: usize> {
     system: &'a System<S>,
     cloth: &'a Cloth<S, W, H>,
-    direction: &'a Grid<Vec3<S>, W, H>,
-    product: &'a mut Grid<Vec3<S>, W, H>,
+    direction: &'a Vectors<S, W, H>,
+    product: &'a mut Vectors<S, W, H>,
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Stiffness<'_, S, W, H> {
@@ -267,15 +273,15 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Stiffness<'_, S, 
         let stiffness = self.system.stiffness(family);
         let inverse_length = family.rest.length * family.rest.inverse_square;
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let d = self.cloth.position[b] - self.cloth.position[a];
+            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
             let elongation = S::elongation(d.squared(), &family.rest);
             let normal = d * ((S::ONE - elongation) * inverse_length);
             let sideways = elongation.max(S::ZERO);
-            let change = self.direction[b] - self.direction[a];
+            let change = self.direction.at(b) - self.direction.at(a);
             let along = normal * normal.dot(change);
             let pull = (along * (S::ONE - sideways) + change * sideways) * stiffness;
-            self.product[a] -= pull;
-            self.product[b] += pull;
+            self.product.add(a, -pull);
+            self.product.add(b, pull);
         });
     }
 }
@@ -283,17 +289,17 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Stiffness<'_, S, 
 /// Multiplies by the dampers' strength.
 struct Viscosity<'a, S, const W: usize, const H: usize> {
     system: &'a System<S>,
-    direction: &'a Grid<Vec3<S>, W, H>,
-    product: &'a mut Grid<Vec3<S>, W, H>,
+    direction: &'a Vectors<S, W, H>,
+    product: &'a mut Vectors<S, W, H>,
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Viscosity<'_, S, W, H> {
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let damping = self.system.stiffness(family);
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let pull = (self.direction[b] - self.direction[a]) * damping;
-            self.product[a] -= pull;
-            self.product[b] += pull;
+            let pull = (self.direction.at(b) - self.direction.at(a)) * damping;
+            self.product.add(a, -pull);
+            self.product.add(b, pull);
         });
     }
 }

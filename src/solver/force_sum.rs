@@ -7,6 +7,7 @@ use crate::link::{Family, Links, Visitor, each};
 use crate::scalar::Scalar;
 use crate::solver::predict::field;
 use crate::vec3::Vec3;
+use crate::vectors::Vectors;
 
 /// The velocities that particles gain in a substep (cells per tick), gravity included, drag not.
 pub(super) fn gains<S: Scalar, F: Force<S>, L: Links<S>, const W: usize, const H: usize>(
@@ -14,11 +15,11 @@ pub(super) fn gains<S: Scalar, F: Force<S>, L: Links<S>, const W: usize, const H
     links: &L,
     cloth: &Cloth<S, W, H>,
     shift: u32,
-    gain: &mut Grid<Vec3<S>, W, H>,
+    gain: &mut Vectors<S, W, H>,
 ) {
-    *gain = Grid::filled(Vec3::ZERO);
+    *gain = Vectors::filled(Vec3::ZERO);
     if F::FIELD {
-        let mut row_gain = [Vec3::ZERO; W];
+        let mut row_gain = Vec3::row(Vec3::ZERO);
         for row in 0..H {
             let below = field(forces, cloth, row, &mut row_gain);
             gain.0[row] = row_gain;
@@ -32,13 +33,13 @@ pub(super) fn gains<S: Scalar, F: Force<S>, L: Links<S>, const W: usize, const H
     let uniform = forces.uniform();
     for node in Grid::<S, W, H>::nodes() {
         let inverse_mass = cloth.inverse_mass[node];
-        gain[node] = if inverse_mass == S::ZERO { Vec3::ZERO } else { gain[node] * inverse_mass + uniform };
+        gain.set(node, if inverse_mass == S::ZERO { Vec3::ZERO } else { gain.at(node) * inverse_mass + uniform });
     }
 }
 
 struct Springs<'a, S, const W: usize, const H: usize> {
     cloth: &'a Cloth<S, W, H>,
-    gain: &'a mut Grid<Vec3<S>, W, H>,
+    gain: &'a mut Vectors<S, W, H>,
     shift: u32,
 }
 
@@ -47,7 +48,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Springs<'_, S, W,
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let stiffness = family.strength.value();
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let d = self.cloth.position[b] - self.cloth.position[a];
+            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
             let pull = d * (S::elongation(d.squared(), &family.rest) * stiffness);
             exchange(self.gain, a, b, pull.double(self.shift));
         });
@@ -56,7 +57,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Springs<'_, S, W,
 
 struct Dampers<'a, S, const W: usize, const H: usize> {
     cloth: &'a Cloth<S, W, H>,
-    gain: &'a mut Grid<Vec3<S>, W, H>,
+    gain: &'a mut Vectors<S, W, H>,
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Dampers<'_, S, W, H> {
@@ -64,13 +65,13 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Dampers<'_, S, W,
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let damping = family.strength.value();
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            exchange(self.gain, a, b, (self.cloth.velocity[b] - self.cloth.velocity[a]) * damping);
+            exchange(self.gain, a, b, (self.cloth.velocity.at(b) - self.cloth.velocity.at(a)) * damping);
         });
     }
 }
 
 #[inline]
-fn exchange<S: Scalar, const W: usize, const H: usize>(gain: &mut Grid<Vec3<S>, W, H>, a: Node, b: Node, by: Vec3<S>) {
-    gain[a] += by;
-    gain[b] -= by;
+fn exchange<S: Scalar, const W: usize, const H: usize>(gain: &mut Vectors<S, W, H>, a: Node, b: Node, by: Vec3<S>) {
+    gain.add(a, by);
+    gain.add(b, -by);
 }

@@ -9,6 +9,7 @@ use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, force_sum, predict};
 use crate::vec3::Vec3;
+use crate::vectors::Vectors;
 
 /// Forward Euler, first order.
 ///
@@ -19,10 +20,10 @@ pub struct ForwardEuler;
 
 impl<S: Scalar> Solver<S> for ForwardEuler {
     /// The force on every particle.
-    type Memory<const W: usize, const H: usize> = Grid<Vec3<S>, W, H>;
+    type Memory<const W: usize, const H: usize> = Vectors<S, W, H>;
 
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
-        Grid::filled(Vec3::ZERO)
+        Vectors::filled(Vec3::ZERO)
     }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
@@ -37,8 +38,8 @@ impl<S: Scalar> Solver<S> for ForwardEuler {
         let rate = physics.forces.drag().rate;
         for node in Grid::<S, W, H>::nodes() {
             if !cloth.is_pinned(node) {
-                let velocity = cloth.velocity[node];
-                cloth.velocity[node] = if F::DRAG { velocity - velocity * rate } else { velocity } + gain[node];
+                let velocity = cloth.velocity.at(node);
+                cloth.velocity.set(node, if F::DRAG { velocity - velocity * rate } else { velocity } + gain.at(node));
             }
         }
         confine(physics, cloth, moment);

@@ -9,6 +9,7 @@ use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, force_sum, predict};
 use crate::vec3::Vec3;
+use crate::vectors::Vectors;
 
 /// Leapfrog, second order, symplectic: energy oscillates but does not drift.
 ///
@@ -21,15 +22,15 @@ pub struct Leapfrog;
 /// The force on every particle, and its velocity at the start of a substep.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<S, const W: usize, const H: usize> {
-    gain: Grid<Vec3<S>, W, H>,
-    start: Grid<Vec3<S>, W, H>,
+    gain: Vectors<S, W, H>,
+    start: Vectors<S, W, H>,
 }
 
 impl<S: Scalar> Solver<S> for Leapfrog {
     type Memory<const W: usize, const H: usize> = Memory<S, W, H>;
 
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
-        Memory { gain: Grid::filled(Vec3::ZERO), start: Grid::filled(Vec3::ZERO) }
+        Memory { gain: Vectors::filled(Vec3::ZERO), start: Vectors::filled(Vec3::ZERO) }
     }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
@@ -48,8 +49,8 @@ impl<S: Scalar> Solver<S> for Leapfrog {
             *start = cloth.velocity;
             for node in Grid::<S, W, H>::nodes() {
                 if !cloth.is_pinned(node) {
-                    let change = if F::DRAG { gain[node] - start[node] * drag.rate } else { gain[node] };
-                    cloth.velocity[node] += change.halve(1);
+                    let change = if F::DRAG { gain.at(node) - start.at(node) * drag.rate } else { gain.at(node) };
+                    cloth.velocity.add(node, change.halve(1));
                 }
             }
             force_sum::gains(physics.forces, physics.links, cloth, shift, gain);
@@ -57,9 +58,11 @@ impl<S: Scalar> Solver<S> for Leapfrog {
         }
         for node in Grid::<S, W, H>::nodes() {
             if !cloth.is_pinned(node) {
-                let velocity = cloth.velocity[node];
-                cloth.velocity[node] =
-                    if F::DRAG { velocity * drag.decay + gain[node] * drag.gain } else { velocity + gain[node] };
+                let velocity = cloth.velocity.at(node);
+                cloth.velocity.set(
+                    node,
+                    if F::DRAG { velocity * drag.decay + gain.at(node) * drag.gain } else { velocity + gain.at(node) },
+                );
             }
         }
         predict::drift(cloth, shift + 1);

@@ -19,15 +19,15 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     next: impl Fn(Vec3<S>, Vec3<S>) -> Vec3<S>,
 ) {
     let uniform = forces.uniform();
-    let mut gain = [Vec3::ZERO; W];
+    let mut gain = Vec3::row(Vec3::ZERO);
     for row in 0..H {
         let below = field(forces, cloth, row, &mut gain);
         for column in 0..W {
             let node = Node { column, row };
             let inverse_mass = cloth.inverse_mass[node];
             if inverse_mass != S::ZERO {
-                let gain = if F::FIELD { gain[column] * inverse_mass + uniform } else { uniform };
-                cloth.velocity[node] = next(cloth.velocity[node], gain);
+                let gain = if F::FIELD { gain.at(column) * inverse_mass + uniform } else { uniform };
+                cloth.velocity.set(node, next(cloth.velocity.at(node), gain));
             }
         }
         gain = below;
@@ -41,9 +41,9 @@ pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     forces: &F,
     cloth: &Cloth<S, W, H>,
     row: usize,
-    gain: &mut [Vec3<S>; W],
-) -> [Vec3<S>; W] {
-    let mut below = [Vec3::ZERO; W];
+    gain: &mut Vec3<[S; W]>,
+) -> Vec3<[S; W]> {
+    let mut below = Vec3::row(Vec3::ZERO);
     if F::FIELD {
         let particles = |row: usize| Row { position: &cloth.position.0[row], velocity: &cloth.velocity.0[row] };
         forces.particles(particles(row), gain);
@@ -58,7 +58,7 @@ pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
 #[inline]
 pub(super) fn drift<S: Scalar, const W: usize, const H: usize>(cloth: &mut Cloth<S, W, H>, shift: u32) {
     for node in Grid::<S, W, H>::nodes() {
-        cloth.position[node] += cloth.velocity[node].halve(shift);
+        cloth.position.add(node, cloth.velocity.at(node).halve(shift));
     }
 }
 
@@ -79,9 +79,9 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Damp<'_, S, W, H>
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         each::<ACROSS, DOWN, W, H>(|a, b| {
             let (wa, wb) = (self.cloth.inverse_mass[a], self.cloth.inverse_mass[b]);
-            let by = (self.cloth.velocity[b] - self.cloth.velocity[a]) * family.strength.against(wa + wb);
-            self.cloth.velocity[a] += by * wa;
-            self.cloth.velocity[b] -= by * wb;
+            let by = (self.cloth.velocity.at(b) - self.cloth.velocity.at(a)) * family.strength.against(wa + wb);
+            self.cloth.velocity.add(a, by * wa);
+            self.cloth.velocity.add(b, -(by * wb));
         });
     }
 }

@@ -42,7 +42,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W,
                 return;
             }
             let part = if inverse_mass == two { ordinary } else { strength.against(inverse_mass) };
-            let d = self.cloth.position[b] - self.cloth.position[a];
+            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
             self.cloth.pull(a, b, d * (S::elongation(d.squared(), &family.rest) * part), self.moment);
         });
     }

@@ -97,7 +97,7 @@ fn run<S: Scalar, V: Solver<S>>(setup: &Setup, solver: V, pace: &Pace, frame: &m
     for _ in 0..pace.frames {
         if let (Some(way), [[column, row], ..]) = (setup.hand, setup.pins) {
             let hand = Node::new(*column, *row);
-            let target = cloth.position[hand] + Vec3::from_f64(way);
+            let target = cloth.position.at(hand) + Vec3::from_f64(way);
             scene.move_pin(&mut cloth, hand, target);
         }
         scene.step(&mut cloth, &mut memory);

@@ -88,7 +88,7 @@ fn overlong<S: Scalar, const N: usize>(cloth: &kerchief::Cloth<S, N, N>, (across
         let b = Node::new(a.column.checked_add_signed(across as isize)?, a.row + down);
         (b.column < N && b.row < N).then_some((a, b))
     });
-    let lengths = ends.map(|(a, b)| (cloth.position[b] - cloth.position[a]).length().to_f64());
+    let lengths = ends.map(|(a, b)| (cloth.position.at(b) - cloth.position.at(a)).length().to_f64());
     lengths.fold(0.0, f64::max) / rest - 1.0
 }
 
@@ -102,7 +102,7 @@ fn no_particle_is_further_from_a_pin_than_its_tether() {
         for node in Grid::<f64, 16, 16>::nodes() {
             // the last anchor has the last word; the first may be left a little too far
             let anchor = anchors[1];
-            let d = (rig.cloth.position[node] - rig.cloth.position[anchor]).length();
+            let d = (rig.cloth.position.at(node) - rig.cloth.position.at(anchor)).length();
             let rest = ((node.column.abs_diff(15).pow(2) + node.row.pow(2)) as f64).sqrt();
             assert!(d <= 1.05 * rest + 1e-9, "{d} for {rest} at {node:?}");
         }

@@ -20,9 +20,9 @@ impl<S: Scalar> Trap<S> {
 impl<S: Scalar> Force<S> for Trap<S> {
     const FIELD: bool = true;
 
-    fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut [Vec3<S>; W]) {
-        for (gain, &position) in gain.iter_mut().zip(row.position) {
-            *gain -= position * self.gain;
+    fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut Vec3<[S; W]>) {
+        for column in 0..W {
+            gain.add(column, -(row.position.at(column) * self.gain));
         }
     }
 }

@@ -21,8 +21,8 @@ fn the_centre_falls_freely<S: Scalar>(bound: f64) {
     let mut cloth = Cloth::<S, 5, 4>::lay(&units, units.point([0.0; 3]));
     cloth.share_area();
     // pulled at two corners, so that waves run through it
-    cloth.position.0[0][0].x -= S::HALF;
-    cloth.position.0[3][4].z += S::HALF;
+    cloth.position.0[0].x[0] -= S::HALF;
+    cloth.position.0[3].z[4] += S::HALF;
     let start = centre(&cloth, &units);
     let links = (Stretch::new(&units, units.stiffness(20.0)), Shear::new(&units, units.stiffness(5.0)));
     let scene = Scene::new(&units, Gravity::new(units.acceleration([0.0, 0.0, -9.81])), links, (), Leapfrog);

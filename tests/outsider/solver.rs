@@ -5,7 +5,7 @@ use kerchief::link::{Family, Links, Visitor, each};
 use kerchief::solver::Physics;
 use kerchief::{
     Cloth, Collider, Gravity, Grid, Leapfrog, Moment, Node, Scalar, Scene, Solver, Sphere, Stretch, Units, Vec3,
-    measure,
+    Vectors, measure,
 };
 
 #[derive(Clone, Copy)]
@@ -13,10 +13,10 @@ struct SemiImplicitEuler;
 
 impl<S: Scalar> Solver<S> for SemiImplicitEuler {
     /// The velocities that particles of mass 1 gain.
-    type Memory<const W: usize, const H: usize> = Grid<Vec3<S>, W, H>;
+    type Memory<const W: usize, const H: usize> = Vectors<S, W, H>;
 
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
-        Grid::filled(Vec3::ZERO)
+        Vectors::filled(Vec3::ZERO)
     }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
@@ -26,7 +26,7 @@ impl<S: Scalar> Solver<S> for SemiImplicitEuler {
         gain: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
-        *gain = Grid::filled(Vec3::ZERO);
+        *gain = Vectors::filled(Vec3::ZERO);
         for (row, gain) in gain.0.iter_mut().enumerate() {
             let (position, velocity) = (&cloth.position.0[row], &cloth.velocity.0[row]);
             physics.forces.particles(Row { position, velocity }, gain);
@@ -34,10 +34,10 @@ impl<S: Scalar> Solver<S> for SemiImplicitEuler {
         physics.links.springs(&mut Pull { cloth, gain, moment });
         for node in Grid::<S, W, H>::nodes() {
             if !cloth.is_pinned(node) {
-                cloth.velocity[node] += gain[node] * cloth.inverse_mass[node] + physics.forces.uniform();
-                cloth.position[node] += moment.displacement(cloth.velocity[node]);
-                let moved = moment.displacement(cloth.velocity[node]);
-                if let Some(by) = physics.colliders.contact(moment, cloth.position[node], moved) {
+                cloth.velocity.add(node, gain.at(node) * cloth.inverse_mass[node] + physics.forces.uniform());
+                cloth.position.add(node, moment.displacement(cloth.velocity.at(node)));
+                let moved = moment.displacement(cloth.velocity.at(node));
+                if let Some(by) = physics.colliders.contact(moment, cloth.position.at(node), moved) {
                     cloth.displace(node, by, moment);
                 }
             }
@@ -47,17 +47,17 @@ impl<S: Scalar> Solver<S> for SemiImplicitEuler {
 
 struct Pull<'a, S, const W: usize, const H: usize> {
     cloth: &'a Cloth<S, W, H>,
-    gain: &'a mut Grid<Vec3<S>, W, H>,
+    gain: &'a mut Vectors<S, W, H>,
     moment: Moment,
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Pull<'_, S, W, H> {
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let d = self.cloth.position[b] - self.cloth.position[a];
+            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
             let pull = d * (S::elongation(d.squared(), &family.rest) * family.strength.value());
-            self.gain[a] += self.moment.velocity(pull);
-            self.gain[b] -= self.moment.velocity(pull);
+            self.gain.add(a, self.moment.velocity(pull));
+            self.gain.add(b, -(self.moment.velocity(pull)));
         });
     }
 }
@@ -97,7 +97,7 @@ fn swing<V: Solver<f64>>(solver: V, substeps: u32) -> Vec3<f64> {
     let scene = Scene::new(&units, gravity(&units), stretch, (), solver);
     let mut memory = scene.memory();
     (0..25).for_each(|_| scene.step(&mut cloth, &mut memory));
-    cloth.position[Node::new(4, 4)]
+    cloth.position.at(Node::new(4, 4))
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn a_solver_of_ones_own_meets_colliders() {
     for _ in 0..15 {
         scene.step(&mut cloth, &mut memory);
         for position in cloth.position.values() {
-            let distance = (*position - ball.centre).length() * units.cell;
+            let distance = (position - ball.centre).length() * units.cell;
             assert!(distance > 0.2 - 1e-12, "{distance} m from the centre");
             touched |= distance < 0.2 + 1e-9;
         }

@@ -105,12 +105,10 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize, L: Links<S>, C: Co
 
     /// Places and moves the particles as `state` says.
     pub fn set(&mut self, state: &State) {
-        for (x, &metres) in self.cloth.position.values_mut().zip(&state.position) {
-            *x = self.units.point(metres).to_vec();
-        }
-        for (v, &metres_per_second) in self.cloth.velocity.values_mut().zip(&state.velocity) {
-            *v = Vec3::from_f64(self.units.velocity(metres_per_second).0);
-        }
+        let (mut positions, mut velocities) = (state.position.iter(), state.velocity.iter());
+        let units = &self.units;
+        self.cloth.position.change(|x| positions.next().map_or(x, |&metres| units.point(metres).to_vec()));
+        self.cloth.velocity.change(|v| velocities.next().map_or(v, |&speed| Vec3::from_f64(units.velocity(speed).0)));
     }
 }
 

@@ -102,7 +102,7 @@ fn a_sheet_folded_over_shows_both_sides_and_hides_what_is_behind() {
         let mut cloth = hung::<S>();
         for node in Grid::<S, 5, 5>::nodes() {
             let folded = [[0.0, 0.0], [0.0, 1.0], [0.0, 2.0], [-1.0, 1.5], [-1.4, 0.5]][node.row];
-            cloth.position[node] = Vec3::from_f64([node.column as f64 - 2.0, folded[0], folded[1]]);
+            cloth.position.set(node, Vec3::from_f64([node.column as f64 - 2.0, folded[0], folded[1]]));
         }
         picture(&cloth, two_sided(), view)
     }
@@ -190,7 +190,7 @@ fn a_sheet_around_a_ball_is_drawn_before_and_after_it() {
     for node in Grid::<Q24, 5, 5>::nodes() {
         let angle = 0.6 + 5.0 * node.column as f64 / 4.0;
         let z = 0.6 - 0.3 * node.row as f64;
-        cloth.position[node] = Vec3::from_f64([2.4 * libm::cos(angle), 2.4 * libm::sin(angle), z]);
+        cloth.position.set(node, Vec3::from_f64([2.4 * libm::cos(angle), 2.4 * libm::sin(angle), z]));
     }
     let view = View::new(0.0, 30.0).at(Spot([0.0; 3]), Length(12.0));
     let ball = Ball::<Q24>::new(Spot([0.0; 3]), Length(1.5), Rgb888::GREEN);

@@ -7,15 +7,21 @@
 //!
 //! One pass down and one up solve it (L. Thomas, 1949), where Gauss–Seidel carries news one link a sweep. With equal masses and one end free the pivots stay
 //! between a·w and 2·a·w + b.
+//!
+//! Columns are solved side by side, [`LANES`] at a time. A row is solved from both ends to its middle (S. Orszag, 1980, calls it burning at both ends), so that
+//! a mirrored sheet of even width is solved as the mirror image, to the last bit; all of a row but the elimination is done for many links at once.
 
 use crate::cloth::Cloth;
-use crate::grid::Node;
+use crate::grid::Grid;
 use crate::link::Quotient;
 use crate::moment::Moment;
 use crate::scalar::{Rest, Scalar};
 use crate::vec3::Vec3;
 
-use super::displace;
+use super::{displace, displace_row};
+
+/// Columns that are solved side by side: as many as a machine computes at once, and twice that many to keep it busy.
+const LANES: usize = if cfg!(target_feature = "sse2") || cfg!(target_feature = "neon") { 8 } else { 1 };
 
 /// Links of one kind.
 pub(super) struct Chain<'a, S> {
@@ -24,85 +30,194 @@ pub(super) struct Chain<'a, S> {
     pub(super) moment: Moment,
 }
 
+/// What elimination leaves of one link's equation: the change of its multiplier is `right + factor · (change of the next)`.
+#[derive(Clone, Copy)]
+struct Eliminated<S> {
+    pivot: S,
+    right: S,
+}
+
+impl<S: Scalar> Eliminated<S> {
+    const NONE: Self = Self { pivot: S::ZERO, right: S::ZERO };
+
+    /// The next link, and the factor of its change in this one's.
+    #[inline(always)]
+    fn next(self, diagonal: S, coupling: S, residual: S) -> (Self, S) {
+        let factor = coupling * self.pivot;
+        let pivot = (diagonal - coupling * factor).recip();
+        (Self { pivot, right: (residual + coupling * self.right) * pivot }, factor)
+    }
+}
+
 impl<S: Scalar> Chain<'_, S> {
-    /// Lets a chain act with the part `warm` of its last multipliers.
-    #[inline]
-    pub(super) fn pull<const N: usize, const W: usize, const H: usize>(
+    /// Solves every row. Returns the largest difference between a link's length and rest length that it met.
+    pub(super) fn rows<const W: usize, const H: usize>(
         &self,
         cloth: &mut Cloth<S, W, H>,
-        node: impl Fn(usize) -> Node,
-        tension: &mut [S; N],
-        warm: S,
-    ) {
-        let mut pull_before = Vec3::ZERO;
-        let mut x = cloth.position[node(0)];
-        for k in 0..N {
-            let mut pull = Vec3::ZERO;
-            if k + 1 < N {
-                let next = cloth.position[node(k + 1)];
-                let d = next - x;
-                tension[k] = tension[k] * warm;
-                let (_, inverse) = S::gauge(d.squared(), self.rest);
-                pull = d * (inverse * tension[k] * self.strength.dividend);
-                x = next;
+        tension: &mut Grid<S, W, H>,
+    ) -> S {
+        let mut worst = S::ZERO;
+        if W > 1 {
+            for row in 0..H {
+                worst = worst.max(self.row(cloth, row, &mut tension.0[row]));
             }
-            let w = cloth.inverse_mass[node(k)];
-            displace(cloth, node(k), (pull - pull_before) * w, self.moment);
-            pull_before = pull;
+        }
+        worst
+    }
+
+    #[inline]
+    fn row<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
+        let Quotient { dividend, divisor } = self.strength;
+        let (links, middle) = (W - 1, (W - 1) / 2);
+        let x = &cloth.position.0[row];
+        let w = cloth.inverse_mass.0[row].map(|w| w * dividend);
+        let mut normal = Vec3::row(Vec3::ZERO);
+        let [mut residual, mut diagonal, mut coupling, mut change] = [[S::ZERO; W]; 4];
+        let mut worst = S::ZERO;
+        let next = x.components(super::pairs::left::<1, S, W>);
+        let w_next = super::pairs::left::<1, S, W>(&w);
+        for k in 0..W {
+            let d = next.at(k) - x.at(k);
+            let (excess, inverse) = S::gauge(d.squared(), self.rest);
+            residual[k] = excess - divisor * tension[k];
+            diagonal[k] = w[k] + w_next[k] + divisor;
+            normal.set(k, d * inverse);
+        }
+        residual[links] = S::ZERO;
+        for k in 0..W {
+            worst = worst.max(residual[k].abs());
+        }
+        // of each link with the one after it
+        let normal_next = normal.components(super::pairs::left::<1, S, W>);
+        for k in 0..W {
+            coupling[k] = w_next[k] * normal.at(k).dot(normal_next.at(k));
+        }
+        let [mut left, mut right] = [Eliminated::NONE; 2];
+        let mut factor = [S::ZERO; W];
+        for k in 0..middle {
+            let before = if k > 0 { coupling[k - 1] } else { S::ZERO };
+            let ahead;
+            (left, ahead) = left.next(diagonal[k], before, residual[k]);
+            change[k] = left.right;
+            if k > 0 {
+                factor[k - 1] = ahead;
+            }
+        }
+        for k in (middle + 1..links).rev() {
+            let after = if k + 1 < links { coupling[k] } else { S::ZERO };
+            let ahead;
+            (right, ahead) = right.next(diagonal[k], after, residual[k]);
+            change[k] = right.right;
+            if k + 1 < links {
+                factor[k + 1] = ahead;
+            }
+        }
+        // the middle link, from both sides
+        let from_left = if middle > 0 { coupling[middle - 1] } else { S::ZERO };
+        let from_right = if middle + 1 < links { coupling[middle] } else { S::ZERO };
+        let (to_left, to_right) = (from_left * left.pivot, from_right * right.pivot);
+        let pivot = (diagonal[middle] - (from_left * to_left + from_right * to_right)).recip();
+        change[middle] = (residual[middle] + (from_left * left.right + from_right * right.right)) * pivot;
+        if middle > 0 {
+            factor[middle - 1] = to_left;
+        }
+        if middle + 1 < links {
+            factor[middle + 1] = to_right;
+        }
+        for k in (0..middle).rev() {
+            change[k] += factor[k] * change[k + 1];
+        }
+        for k in middle + 1..links {
+            change[k] += factor[k] * change[k - 1];
+        }
+        change[links] = S::ZERO;
+        let mut pull = Vec3::row(Vec3::ZERO);
+        for k in 0..W {
+            tension[k] += change[k];
+            pull.set(k, normal.at(k) * (change[k] * dividend));
+        }
+        let before = pull.components(super::pairs::right::<1, S, W>);
+        let w = cloth.inverse_mass.0[row];
+        displace_row(cloth, row, |k| (pull.at(k) - before.at(k)) * w[k], self.moment);
+        worst
+    }
+
+    /// Solves every column.
+    pub(super) fn columns<const W: usize, const H: usize>(
+        &self,
+        cloth: &mut Cloth<S, W, H>,
+        tension: &mut Grid<S, W, H>,
+    ) {
+        let mut column = 0;
+        while column + LANES <= W {
+            self.side_by_side::<LANES, W, H>(cloth, column, tension);
+            column += LANES;
+        }
+        while column + 4 <= W {
+            self.side_by_side::<4, W, H>(cloth, column, tension);
+            column += 4;
+        }
+        while column < W {
+            self.side_by_side::<1, W, H>(cloth, column, tension);
+            column += 1;
         }
     }
 
-    /// Solves a chain of `N` particles and moves them. `tension` holds the multipliers, at the first particle of each link. Returns the largest
-    /// difference between a link's length and rest length that it met.
-    #[inline]
-    pub(super) fn solve<const N: usize, const W: usize, const H: usize>(
+    /// Solves `N` columns.
+    #[inline(never)] // so that sheet and multipliers are known to be apart
+    fn side_by_side<const N: usize, const W: usize, const H: usize>(
         &self,
         cloth: &mut Cloth<S, W, H>,
-        node: impl Fn(usize) -> Node,
-        tension: &mut [S; N],
-    ) -> S {
+        first: usize,
+        tension: &mut Grid<S, W, H>,
+    ) {
+        if N > W || first > W - N {
+            return; // said once, no column needs to be looked for
+        }
         let Quotient { dividend, divisor } = self.strength;
-        let mut normals = [Vec3::<S>::ZERO; N];
-        // the change of a multiplier is `right + ahead · (change of the next)`
-        let mut ahead = [S::ZERO; N];
-        let mut right = [S::ZERO; N];
-        let mut worst = S::ZERO;
-        let mut normal_before = Vec3::ZERO;
-        let (mut pivot_before, mut right_before) = (S::ZERO, S::ZERO);
-        let (mut xa, mut wa) = (cloth.position[node(0)], cloth.inverse_mass[node(0)] * dividend);
-        for k in 0..N - 1 {
-            let b = node(k + 1);
-            let (xb, wb) = (cloth.position[b], cloth.inverse_mass[b] * dividend);
-            let d = xb - xa;
-            let (excess, inverse) = S::gauge(d.squared(), self.rest);
-            let residual = excess - divisor * tension[k];
-            worst = worst.max(residual.abs());
-            let normal = d * inverse;
-            let coupling = wa * normal_before.dot(normal);
-            let factor = coupling * pivot_before;
-            let pivot = (wa + wb + divisor - coupling * factor).recip();
-            right_before = (residual + coupling * right_before) * pivot;
-            if k > 0 {
-                ahead[k - 1] = factor;
+        let mut normals = [Vec3::<[S; N]>::row(Vec3::ZERO); H];
+        let mut factors = [[S::ZERO; N]; H];
+        let mut changes = [[S::ZERO; N]; H];
+        let mut above = [Eliminated::NONE; N];
+        for row in 0..H.saturating_sub(1) {
+            let [x, y] = [&cloth.position.0[row], &cloth.position.0[row + 1]];
+            let [u, v] = [&cloth.inverse_mass.0[row], &cloth.inverse_mass.0[row + 1]];
+            let before = if row > 0 { normals[row - 1] } else { normals[H - 1] };
+            for lane in 0..N {
+                let column = first + lane;
+                let (u, v) = (u[column] * dividend, v[column] * dividend);
+                let d = y.at(column) - x.at(column);
+                let (excess, inverse) = S::gauge(d.squared(), self.rest);
+                let residual = excess - divisor * tension.0[row][column];
+                let normal = d * inverse;
+                let coupling = u * before.at(lane).dot(normal);
+                let factor;
+                (above[lane], factor) = above[lane].next(u + v + divisor, coupling, residual);
+                normals[row].set(lane, normal);
+                factors[row][lane] = factor;
+                changes[row][lane] = above[lane].right;
             }
-            normals[k] = normal;
-            right[k] = right_before;
-            (normal_before, pivot_before, xa, wa) = (normal, pivot, xb, wb);
         }
-        let mut change = S::ZERO;
-        let mut pull_after = Vec3::ZERO;
-        for k in (0..N - 1).rev() {
-            change = right[k] + ahead[k] * change;
-            tension[k] += change;
-            let pull = normals[k] * (change * dividend);
-            let b = node(k + 1);
-            let w = cloth.inverse_mass[b];
-            displace(cloth, b, (pull_after - pull) * w, self.moment);
-            pull_after = pull;
+        let mut change = [S::ZERO; N];
+        let mut below = Vec3::<[S; N]>::row(Vec3::ZERO);
+        for row in (0..H).rev() {
+            let w = &cloth.inverse_mass.0[row];
+            let link_above = if row > 0 { row - 1 } else { H - 1 };
+            let (x, v) = (&mut cloth.position.0[row], &mut cloth.velocity.0[row]);
+            let mut pull = below;
+            for lane in 0..N {
+                change[lane] = changes[link_above][lane] + factors[row][lane] * change[lane];
+                pull.set(lane, normals[link_above].at(lane) * (change[lane] * dividend));
+            }
+            let tension = &mut tension.0[link_above];
+            for lane in 0..N {
+                tension[first + lane] += change[lane];
+            }
+            for lane in 0..N {
+                let column = first + lane;
+                displace(x, v, column, (below.at(lane) - pull.at(lane)) * w[column], self.moment);
+            }
+            below = pull;
         }
-        let a = node(0);
-        let w = cloth.inverse_mass[a];
-        displace(cloth, a, pull_after * w, self.moment);
-        worst
     }
 }

@@ -5,11 +5,12 @@
 //! strong dampers leave to the springs what these have put right.
 
 use crate::cloth::Cloth;
-use crate::grid::{Grid, Node};
+use crate::grid::Node;
 use crate::link::{Family, Visitor, each};
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
+use crate::vectors::Vectors;
 
 /// Which of its acts a damper is at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +25,7 @@ pub(super) enum Act {
 pub(super) struct Damp<'a, S, const W: usize, const H: usize> {
     pub(super) cloth: &'a mut Cloth<S, W, H>,
     /// The velocities at the substep's start.
-    pub(super) start: &'a Grid<Vec3<S>, W, H>,
+    pub(super) start: &'a Vectors<S, W, H>,
     pub(super) moment: Moment,
     /// How a position depends on its velocity, in units of h.
     pub(super) part: S,
@@ -36,8 +37,8 @@ pub(super) struct Damp<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Damp<'_, S, W, H> {
     #[inline]
     fn accelerate(&mut self, node: Node, by: Vec3<S>) {
-        self.cloth.velocity[node] += by;
-        self.cloth.position[node] += self.moment.displacement(by * self.part);
+        self.cloth.velocity.add(node, by);
+        self.cloth.position.add(node, self.moment.displacement(by * self.part));
     }
 }
 
@@ -66,9 +67,9 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Damp<'_, S, W, H>
                 return;
             }
             let [at_start, at_end] = if inverse_mass == two { ordinary } else { parts(inverse_mass) };
-            let mut by = (self.start[b] - self.start[a]) * at_start;
+            let mut by = (self.start.at(b) - self.start.at(a)) * at_start;
             if act == Act::Second {
-                by += (self.cloth.velocity[b] - self.cloth.velocity[a]) * at_end;
+                by += (self.cloth.velocity.at(b) - self.cloth.velocity.at(a)) * at_end;
             }
             self.accelerate(a, by * wa);
             self.accelerate(b, -(by * wb));

@@ -2,7 +2,6 @@
 
 use crate::cloth::Cloth;
 use crate::force::{Force, Row};
-use crate::grid::Node;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::predict;
@@ -38,44 +37,73 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
 ) {
     let third = S::ONE.divide(S::from_int(3));
     let two_thirds = third + third;
-    let sixth = third.halve(1);
+    let rule = Rule { third, two_thirds, sixth: third.halve(1), moment };
     let drag = forces.drag().rate;
     let slowed = (S::ONE + two_thirds * drag).recip();
     let uniform = forces.uniform();
     let start = memory.history == History::None;
-    let mut gain = [Vec3::ZERO; W];
+    let mut gain = Vec3::row(Vec3::ZERO);
     let mut here = if F::FIELD { Some(ahead(cloth, memory, 0, start, moment)) } else { None };
     for row in 0..H {
-        let mut below_gain = [Vec3::ZERO; W];
-        if let Some((position, velocity)) = &here {
+        let mut below_gain = Vec3::row(Vec3::ZERO);
+        if let Some([position, velocity]) = &here {
             let upper = Row { position, velocity };
             forces.particles(upper, &mut gain);
             let below = (row + 1 < H).then(|| ahead(cloth, memory, row + 1, start, moment));
-            if let Some((position, velocity)) = &below {
+            if let Some([position, velocity]) = &below {
                 forces.cells([upper, Row { position, velocity }], [&mut gain, &mut below_gain]);
             }
             here = below;
         }
+        let velocity = cloth.velocity.0[row];
+        let mut earlier = core::mem::replace(&mut memory.earlier.0[row], velocity);
         for column in 0..W {
-            let node = Node { column, row };
-            let inverse_mass = cloth.inverse_mass[node];
-            let v = cloth.velocity[node];
-            if inverse_mass == S::ZERO {
-                memory.earlier[node] = v;
-                cloth.position[node] += moment.displacement(v);
-                continue;
+            let by = if F::FIELD { gain.at(column) * cloth.inverse_mass.0[row][column] + uniform } else { uniform };
+            gain.set(column, by * two_thirds);
+            if start {
+                let v = velocity.at(column);
+                earlier.set(column, v - if F::DRAG { by - v * drag } else { by });
             }
-            let gain = if F::FIELD { gain[column] * inverse_mass + uniform } else { uniform };
-            let earlier = if start { v - if F::DRAG { gain - v * drag } else { gain } } else { memory.earlier[node] };
-            let mut next = v + (v - earlier) * third + gain * two_thirds;
-            if F::DRAG {
-                next = next * slowed;
-            }
-            memory.earlier[node] = v;
-            cloth.velocity[node] = next;
-            cloth.position[node] += moment.displacement(next * two_thirds + (v + earlier) * sixth);
+        }
+        if F::DRAG {
+            rule.row(cloth, row, &earlier, &gain, |v| v * slowed);
+        } else {
+            rule.row(cloth, row, &earlier, &gain, |v| v);
         }
         gain = below_gain;
+    }
+}
+
+/// The rule's coefficients.
+struct Rule<S> {
+    third: S,
+    two_thirds: S,
+    sixth: S,
+    moment: Moment,
+}
+
+impl<S: Scalar> Rule<S> {
+    /// Moves a row, given its velocity before the last substep and two thirds of what it gains.
+    #[inline(never)] // so that its rows are known to be apart
+    fn row<const W: usize, const H: usize>(
+        &self,
+        cloth: &mut Cloth<S, W, H>,
+        row: usize,
+        earlier: &Vec3<[S; W]>,
+        gain: &Vec3<[S; W]>,
+        slow: impl Fn(Vec3<S>) -> Vec3<S>,
+    ) {
+        let inverse_mass = &cloth.inverse_mass.0[row];
+        let (position, velocity) = (&mut cloth.position.0[row], &mut cloth.velocity.0[row]);
+        for column in 0..W {
+            let (v, earlier) = (velocity.at(column), earlier.at(column));
+            let next = slow(v + (v - earlier) * self.third + gain.at(column));
+            // a pin goes on as it was told; no branch, so that four particles can move at once
+            let held = inverse_mass[column] == S::ZERO;
+            velocity.set(column, v.or(next, held));
+            let drift = next * self.two_thirds + (v + earlier) * self.sixth;
+            position.add(column, self.moment.displacement(v.or(drift, held)));
+        }
     }
 }
 
@@ -87,15 +115,15 @@ fn ahead<S: Scalar, const W: usize, const H: usize, const N: usize>(
     row: usize,
     start: bool,
     moment: Moment,
-) -> ([Vec3<S>; W], [Vec3<S>; W]) {
-    let (mut position, mut velocity) = (cloth.position.0[row], cloth.velocity.0[row]);
+) -> [Vec3<[S; W]>; 2] {
+    let [mut position, mut velocity] = [cloth.position.0[row], cloth.velocity.0[row]];
     for column in 0..W {
-        let v = velocity[column];
+        let v = velocity.at(column);
         // a pin has the velocity that it was given, from one substep to the next
         let held = cloth.inverse_mass.0[row][column] == S::ZERO;
-        let change = if start || held { Vec3::ZERO } else { v - memory.earlier.0[row][column] };
-        velocity[column] = v + change;
-        position[column] += moment.displacement(v + change.halve(1));
+        let change = if start || held { Vec3::ZERO } else { v - memory.earlier.0[row].at(column) };
+        velocity.set(column, v + change);
+        position.add(column, moment.displacement(v + change.halve(1)));
     }
-    (position, velocity)
+    [position, velocity]
 }

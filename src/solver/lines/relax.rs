@@ -1,13 +1,14 @@
 //! A sweep over all links of a scene.
 
 use crate::cloth::Cloth;
-use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, Quotient, Visitor, each};
+use crate::grid::Grid;
+use crate::link::{Family, Links, Visitor};
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 
+use super::WARM;
 use super::chain::Chain;
-use super::{ROUGH, WARM_LINES, WARM_OTHERS, pull};
+use super::pairs::Pairs;
 
 /// Which families a visit is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -22,16 +23,18 @@ enum Pass {
 
 /// Relaxes links.
 pub(super) struct Relax<'a, S, const W: usize, const H: usize, const N: usize> {
-    cloth: &'a mut Cloth<S, W, H>,
+    pub(super) cloth: &'a mut Cloth<S, W, H>,
     tension: &'a mut [Grid<S, W, H>; N],
     moment: Moment,
     /// What the rule in time makes of κ.
     softness: S,
     pass: Pass,
-    sweep: u32,
+    /// Whether no sweep of this substep went before.
+    first: bool,
     /// The grid of multipliers of the family at hand.
     slot: usize,
-    rough: bool,
+    /// The largest strain of a row that the sweep met.
+    met: S,
 }
 
 impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S, W, H, N> {
@@ -41,7 +44,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         moment: Moment,
         softness: S,
     ) -> Self {
-        Self { cloth, tension, moment, softness, pass: Pass::Others, sweep: 0, slot: 0, rough: false }
+        Self { cloth, tension, moment, softness, pass: Pass::Others, first: true, slot: 0, met: S::ZERO }
     }
 
     /// Lets every link act with a part of its last multiplier.
@@ -55,102 +58,52 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         *self.tension = [Grid::filled(S::ZERO); N];
     }
 
-    /// Relaxes every link once.
-    pub(super) fn sweep<L: Links<S>>(&mut self, links: &L, sweep: u32) {
-        (self.sweep, self.rough) = (sweep, false);
+    /// Relaxes every link once. Returns the largest strain of a row that it met.
+    pub(super) fn sweep<L: Links<S>>(&mut self, links: &L, first: bool) -> S {
+        (self.first, self.met) = (first, S::ZERO);
         for pass in [Pass::Others, Pass::Lines] {
             (self.pass, self.slot) = (pass, 0);
             links.springs(self);
         }
+        self.met
     }
 
-    /// Whether the last sweep met a row far from its rest length.
-    pub(super) fn is_rough(&self) -> bool {
-        self.rough
-    }
-
-    fn pull<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
-        let cloth = &mut *self.cloth;
-        let moment = self.moment;
-        let warm = S::from_f64(WARM_OTHERS);
-        let dividend = family.strength.scaled(self.softness).dividend;
-        let mut act = |a: Node, b: Node, multiplier: &mut S| {
-            *multiplier = *multiplier * warm;
-            let d = cloth.position[b] - cloth.position[a];
-            let (_, inverse) = S::gauge(d.squared(), &family.rest);
-            pull(cloth, [a, b], d * (inverse * *multiplier * dividend), moment);
-        };
-        match self.tension.get_mut(slot..) {
-            Some([rising, falling, ..]) if ACROSS > 0 && DOWN > 0 => each::<ACROSS, DOWN, W, H>(|a, b| {
-                let tension = if a.column > b.column { &mut *falling } else { &mut *rising };
-                act(a, b, &mut tension[a]);
-            }),
-            Some([tension, ..]) if ACROSS == 0 || DOWN == 0 => {
-                each::<ACROSS, DOWN, W, H>(|a, b| act(a, b, &mut tension[a]));
-            }
-            _ => {}
+    /// Starts a family from nothing.
+    fn clear(&mut self, slot: usize) {
+        if let Some(tension) = self.tension.get_mut(slot) {
+            *tension = Grid::filled(S::ZERO);
         }
     }
 
-    fn line<const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
+    fn lines<const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
         let Some(tension) = self.tension.get_mut(slot) else { return };
         let strength = family.strength.scaled(self.softness);
         let chain = Chain { rest: &family.rest, strength, moment: self.moment };
-        let start = self.pass == Pass::Start;
-        let warm = S::from_f64(WARM_LINES);
-        if DOWN == 0 {
-            let mut worst = S::ZERO;
-            for row in 0..H {
-                let node = |column| Node { column, row };
-                if start {
-                    chain.pull(self.cloth, node, &mut tension.0[row], warm);
-                } else {
-                    worst = worst.max(chain.solve(self.cloth, node, &mut tension.0[row]));
-                }
+        match DOWN {
+            0 => {
+                let worst = chain.rows(self.cloth, tension);
+                self.met = self.met.max(worst * (family.rest.length * family.rest.inverse_square));
             }
-            self.rough |= worst > family.rest.length * S::from_f64(ROUGH);
-        } else {
-            for column in 0..W {
-                let node = |row| Node { column, row };
-                let mut multipliers: [S; H] = core::array::from_fn(|row| tension.0[row][column]);
-                if start {
-                    chain.pull(self.cloth, node, &mut multipliers, warm);
-                } else {
-                    chain.solve(self.cloth, node, &mut multipliers);
-                }
-                for row in 0..H {
-                    tension.0[row][column] = multipliers[row];
-                }
-            }
+            _ => chain.columns(self.cloth, tension),
         }
     }
 
-    fn links<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
-        let cloth = &mut *self.cloth;
-        let moment = self.moment;
-        let Quotient { dividend, divisor } = family.strength.scaled(self.softness);
-        let mut relax = |a: Node, b: Node, multiplier: &mut S| {
-            let inverse_mass = cloth.inverse_mass[a] + cloth.inverse_mass[b];
-            if inverse_mass == S::ZERO {
-                return;
+    fn others<const ACROSS: usize, const DOWN: usize, const START: bool>(&mut self, family: &Family<S>, slot: usize) {
+        let pairs = Pairs::new(family, family.strength.scaled(self.softness), self.moment);
+        let warm = S::from_f64(WARM);
+        let tension = self.tension.get_mut(slot..).unwrap_or(&mut []);
+        // without a memory a second time would count twice
+        let first = self.first;
+        match tension {
+            [falling, rising, ..] if ACROSS > 0 && DOWN > 0 => {
+                pairs.diagonals::<ACROSS, DOWN, START, W, H>(self.cloth, Some([falling, rising]), warm)
             }
-            let d = cloth.position[b] - cloth.position[a];
-            let (excess, inverse) = S::gauge(d.squared(), &family.rest);
-            let change = (excess - divisor * *multiplier).divide(inverse_mass * dividend + divisor);
-            *multiplier += change;
-            pull(cloth, [a, b], d * (inverse * change * dividend), moment);
-        };
-        match self.tension.get_mut(slot..) {
-            Some([rising, falling, ..]) if ACROSS > 0 && DOWN > 0 => each::<ACROSS, DOWN, W, H>(|a, b| {
-                let tension = if a.column > b.column { &mut *falling } else { &mut *rising };
-                relax(a, b, &mut tension[a]);
-            }),
-            Some([tension, ..]) if ACROSS == 0 || DOWN == 0 => {
-                each::<ACROSS, DOWN, W, H>(|a, b| relax(a, b, &mut tension[a]));
-            }
-            // without a memory a second time would count twice
-            _ if self.sweep == 0 => each::<ACROSS, DOWN, W, H>(|a, b| relax(a, b, &mut { S::ZERO })),
-            _ => {}
+            [tension, ..] if DOWN == 0 => pairs.row::<ACROSS, START, W, H>(self.cloth, Some(tension), warm),
+            [tension, ..] if ACROSS == 0 => pairs.column::<DOWN, START, W, H>(self.cloth, Some(tension), warm),
+            _ if START || !first => {}
+            _ if ACROSS > 0 && DOWN > 0 => pairs.diagonals::<ACROSS, DOWN, START, W, H>(self.cloth, None, warm),
+            _ if DOWN == 0 => pairs.row::<ACROSS, START, W, H>(self.cloth, None, warm),
+            _ => pairs.column::<DOWN, START, W, H>(self.cloth, None, warm),
         }
     }
 }
@@ -161,9 +114,10 @@ impl<S: Scalar, const W: usize, const H: usize, const N: usize> Visitor<S> for R
         let slot = self.slot;
         self.slot += if ACROSS > 0 && DOWN > 0 { 2 } else { 1 };
         match (ACROSS + DOWN == 1, self.pass) {
-            (true, Pass::Start | Pass::Lines) => self.line::<DOWN>(family, slot),
-            (false, Pass::Start) => self.pull::<ACROSS, DOWN>(family, slot),
-            (false, Pass::Others) => self.links::<ACROSS, DOWN>(family, slot),
+            (true, Pass::Start) => self.clear(slot),
+            (true, Pass::Lines) => self.lines::<DOWN>(family, slot),
+            (false, Pass::Start) => self.others::<ACROSS, DOWN, true>(family, slot),
+            (false, Pass::Others) => self.others::<ACROSS, DOWN, false>(family, slot),
             _ => {}
         }
     }

@@ -1,0 +1,37 @@
+//! Every solver as it is usually run.
+
+use kerchief::host::{ScalarKind, SolverKind};
+
+use plotters::style::RGBColor;
+
+use crate::laboratory::configuration::{Configuration, has_sweeps};
+use crate::laboratory::plot::{COLOURS, colour};
+
+/// Every solver as it is usually run, with its sweeps.
+pub(crate) const USUAL: [(SolverKind, u32); 7] = [
+    (SolverKind::Lines, 2),
+    (SolverKind::Lines, 1),
+    (SolverKind::Leapfrog, 1),
+    (SolverKind::Xpbd, 1),
+    (SolverKind::BackwardEuler, 2),
+    (SolverKind::Verlet, 4),
+    (SolverKind::ForwardEuler, 1),
+];
+
+/// A colour for every one of them.
+pub(crate) const fn colour_of((solver, sweeps): (SolverKind, u32)) -> RGBColor {
+    match solver {
+        SolverKind::Lines if sweeps > 1 => COLOURS[5],
+        _ => colour(solver),
+    }
+}
+
+/// The name of a solver with its sweeps.
+pub(crate) fn name(solver: SolverKind, sweeps: u32) -> String {
+    if has_sweeps(solver) { format!("{} × {sweeps}", solver.name()) } else { solver.name().to_string() }
+}
+
+/// Solvers of [`USUAL`] in a number type.
+pub(crate) fn usual(scalar: ScalarKind, substeps: u32) -> impl Iterator<Item = Configuration> {
+    USUAL.into_iter().map(move |(solver, sweeps)| Configuration { solver, scalar, substeps, sweeps })
+}

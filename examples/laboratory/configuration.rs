@@ -1,0 +1,97 @@
+//! How a scene is solved.
+
+use std::fmt;
+
+use kerchief::host::{Description, ScalarKind, SolverKind};
+
+/// A solver with its settings and number type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Configuration {
+    pub(crate) solver: SolverKind,
+    pub(crate) scalar: ScalarKind,
+    /// Solver steps per frame.
+    pub(crate) substeps: u32,
+    /// Relaxation sweeps (Newton steps of backward Euler) per substep; 1 where there are none.
+    pub(crate) sweeps: u32,
+}
+
+impl Configuration {
+    /// The scene solved in this way.
+    pub(crate) fn of(self, scene: &Description) -> Description {
+        let mut scene = scene.clone();
+        (scene.solver.kind, scene.solver.substeps, scene.solver.iterations) = (self.solver, self.substeps, self.sweeps);
+        scene
+    }
+
+    /// What it takes on a command line.
+    pub(crate) fn words(self) -> [String; 4] {
+        let Self { solver, scalar, substeps, sweeps } = self;
+        [solver.name().to_string(), scalar.name().to_string(), substeps.to_string(), sweeps.to_string()]
+    }
+
+    /// What was written by [`words`](Self::words).
+    pub(crate) fn from_words(words: &[String]) -> Option<Self> {
+        let [solver, scalar, substeps, sweeps] = words else { return None };
+        Some(Self {
+            solver: SolverKind::from_name(solver)?,
+            scalar: ScalarKind::from_name(scalar)?,
+            substeps: substeps.parse().ok()?,
+            sweeps: sweeps.parse().ok()?,
+        })
+    }
+}
+
+impl fmt::Display for Configuration {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { solver, scalar, substeps, sweeps } = self;
+        write!(f, "{} {}, {substeps}", solver.name(), scalar.name())?;
+        if has_sweeps(*solver) { write!(f, " × {sweeps}") } else { Ok(()) }
+    }
+}
+
+/// Whether a solver has sweeps (or Newton steps) to choose.
+pub(crate) const fn has_sweeps(solver: SolverKind) -> bool {
+    matches!(solver, SolverKind::Verlet | SolverKind::BackwardEuler | SolverKind::Lines)
+}
+
+/// Sweeps that cost about as much as a Newton step with its conjugate gradients.
+const NEWTON: u32 = 32;
+
+/// Which configurations are compared.
+#[derive(Clone, Debug)]
+pub(crate) struct Choice {
+    pub(crate) solvers: Vec<SolverKind>,
+    pub(crate) scalars: Vec<ScalarKind>,
+    pub(crate) substeps: Vec<u32>,
+    /// The same for every solver that has sweeps; what is usual for each where there are none.
+    pub(crate) sweeps: Vec<u32>,
+    /// The most sweeps in a frame; a Newton step counts as [`NEWTON`] of them.
+    pub(crate) work: u32,
+}
+
+impl Choice {
+    /// All of them, those of a solver and its sweeps one after the other.
+    pub(crate) fn configurations(&self) -> Vec<Configuration> {
+        let mut all = Vec::new();
+        for &solver in &self.solvers {
+            for &sweeps in self.sweeps(solver) {
+                for &scalar in &self.scalars {
+                    let work = sweeps.saturating_mul(if solver == SolverKind::BackwardEuler { NEWTON } else { 1 });
+                    let substeps = self.substeps.iter().filter(|&&substeps| substeps.saturating_mul(work) <= self.work);
+                    all.extend(substeps.map(|&substeps| Configuration { solver, scalar, substeps, sweeps }));
+                }
+            }
+        }
+        all
+    }
+
+    fn sweeps(&self, solver: SolverKind) -> &[u32] {
+        match solver {
+            _ if !has_sweeps(solver) => &[1],
+            _ if !self.sweeps.is_empty() => &self.sweeps,
+            SolverKind::Verlet => &[1, 4, 16],
+            SolverKind::BackwardEuler => &[1, 2],
+            _ => &[1, 2, 4],
+        }
+    }
+}

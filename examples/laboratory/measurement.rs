@@ -1,0 +1,59 @@
+//! One configuration run: its error, its strain, its time.
+
+use std::time::{Duration, Instant};
+
+use kerchief::host::{Description, SceneError};
+
+use super::Start;
+use super::configuration::Configuration;
+use super::reference::{Frames, mean_square, size};
+
+/// A sheet whose error (sheet sizes) or strain has grown beyond this has blown up.
+const LOST: f64 = 1.0;
+const TORN: f64 = 100.0;
+
+/// What was seen of a run. Error and strain are infinite where the sheet blew up.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Measurement {
+    /// RMS distance from the reference over all particles and frames, over the sheet's size.
+    pub(crate) error: Option<f64>,
+    /// The largest strain of a stretch link at the end of any frame.
+    pub(crate) strain: f64,
+    /// What the frames took.
+    pub(crate) time: Duration,
+}
+
+impl Measurement {
+    /// Runs a configuration for so many frames.
+    pub(crate) fn of(
+        start: Start,
+        scene: &Description,
+        configuration: Configuration,
+        frames: u32,
+        reference: Option<&Frames>,
+    ) -> Result<Self, SceneError> {
+        let mut moving = start(&configuration.of(scene), configuration.scalar)?;
+        let mut seen = Self { error: reference.map(|_| 0.0), strain: 0.0, time: Duration::ZERO };
+        let mut squares = 0.0;
+        for frame in 0..frames {
+            let begin = Instant::now();
+            moving.frame();
+            seen.time += begin.elapsed();
+            let strains = moving.strains();
+            let strain = strains.stretch.unwrap_or(strains.all).largest;
+            seen.strain = seen.strain.max(strain);
+            let mut is_lost = !moving.is_finite() || !(strain < TORN);
+            if let Some(reference) = reference {
+                let square = mean_square(&moving.still().positions, &reference[frame as usize]);
+                squares += square;
+                is_lost |= !(square.sqrt() < LOST * size(scene));
+            }
+            if is_lost {
+                let error = seen.error.map(|_| f64::INFINITY);
+                return Ok(Self { error, strain: f64::INFINITY, ..seen });
+            }
+        }
+        seen.error = seen.error.map(|_| (squares / f64::from(frames)).sqrt() / size(scene));
+        Ok(seen)
+    }
+}

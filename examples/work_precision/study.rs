@@ -1,0 +1,174 @@
+//! A scene solved in many ways: what each costs and how wrong it is.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use indicatif::ProgressBar;
+use kerchief::host::Description;
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::cost::{self, PerParticle};
+use crate::laboratory::configuration::{Choice, Configuration};
+use crate::laboratory::measurement::Measurement;
+use crate::laboratory::reference::Reference;
+use crate::lean;
+
+/// A configuration and what was seen of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Point {
+    pub(crate) configuration: Configuration,
+    pub(crate) seen: Measurement,
+    pub(crate) operations: Option<PerParticle>,
+    /// Instructions per particle and frame.
+    pub(crate) instructions: Option<f64>,
+    /// Time over that of the study's first point.
+    pub(crate) time_ratio: f64,
+}
+
+/// A scene and what is asked of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Subject {
+    pub(crate) text: String,
+    pub(crate) scene: Description,
+    pub(crate) frames: u32,
+    /// How close the reference has to come to its limit, sheet sizes; without, only strain is measured.
+    pub(crate) tolerance: Option<f64>,
+}
+
+/// The result.
+#[derive(Clone, Debug)]
+pub(crate) struct Study {
+    pub(crate) subject: Subject,
+    pub(crate) reference: Option<Reference>,
+    pub(crate) points: Vec<Point>,
+    /// By how much instructions per operation differ with the number of substeps, as a part of them, the largest for each solver and number
+    /// type; without callgrind nothing.
+    pub(crate) spread: Option<BTreeMap<[&'static str; 2], f64>>,
+}
+
+impl Subject {
+    /// Says what is wrong before anything is run.
+    pub(crate) fn check(&self, choice: &Choice, callgrind: bool) -> Result<(), String> {
+        let in_scene = |reason: &dyn std::fmt::Display| format!("{}: {reason}", self.scene.name);
+        let configurations = choice.configurations();
+        if configurations.is_empty() {
+            return Err("--work: leaves no configuration".to_string());
+        }
+        for configuration in configurations {
+            lean::moving(&configuration.of(&self.scene), configuration.scalar).map_err(|error| in_scene(&error))?;
+        }
+        if !callgrind && lean::counted(&self.scene).is_none() {
+            let grids = "operations are counted for undamped sheets of 16 × 16 and 32 × 32 only, instructions for all";
+            return Err(in_scene(&grids));
+        }
+        Ok(())
+    }
+
+    /// Runs all configurations.
+    pub(crate) fn study(
+        &self,
+        choice: &Choice,
+        callgrind: bool,
+        cache: &Path,
+        bar: &ProgressBar,
+    ) -> Result<Study, String> {
+        let in_scene = |reason: &dyn std::fmt::Display| format!("{}: {reason}", self.scene.name);
+        let configurations = choice.configurations();
+        bar.inc_length(configurations.len() as u64 + 1);
+        let reference = self.tolerance.map(|tolerance| {
+            Reference::of(lean::moving, &self.text, &self.scene, self.frames, tolerance, cache)
+                .map_err(|error| in_scene(&error))
+        });
+        let reference = reference.transpose()?;
+        bar.inc(1);
+        let exchanges = match callgrind {
+            true => Some(cost::exchanges(&self.text, &self.scene, &configurations, bar)?),
+            false => None,
+        };
+        let point = |&configuration: &Configuration| {
+            let positions = reference.as_ref().map(|reference| &reference.positions);
+            let seen = Measurement::of(lean::moving, &self.scene, configuration, self.frames, positions)
+                .map_err(|e| in_scene(&e))?;
+            let is_whole = seen.strain.is_finite();
+            let operations = is_whole.then(|| cost::operations(&self.scene, configuration, self.frames)).flatten();
+            let units = operations.map_or(f64::from(configuration.substeps), PerParticle::total);
+            let exchange = exchanges.as_ref().and_then(|exchanges| exchanges.get(&cost::group(configuration)));
+            let instructions =
+                exchange.filter(|_| is_whole).map(|rate| rate.instructions(configuration.substeps, units));
+            bar.inc(1);
+            Ok::<_, String>(Point { configuration, seen, operations, instructions, time_ratio: 1.0 })
+        };
+        let mut points: Vec<Point> = configurations.par_iter().map(point).collect::<Result<_, _>>()?;
+        if let Some(first) = points.first().map(|point| point.seen.time.as_secs_f64()) {
+            for point in &mut points {
+                point.time_ratio = point.seen.time.as_secs_f64() / first;
+            }
+        }
+        let spread = exchanges.map(|exchanges| {
+            let mut spread = BTreeMap::new();
+            for ((solver, scalar, _), exchange) in &exchanges {
+                let largest: &mut f64 = spread.entry([*solver, *scalar]).or_default();
+                *largest = largest.max(exchange.spread());
+            }
+            spread
+        });
+        Ok(Study { subject: self.clone(), reference, points, spread })
+    }
+}
+
+impl Point {
+    /// What a frame costs per particle: instructions where they were counted, or else operations.
+    pub(crate) fn cost(&self) -> f64 {
+        self.instructions.or(self.operations.map(PerParticle::total)).unwrap_or(f64::NAN)
+    }
+}
+
+/// A line of the table of all points.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Row<'a> {
+    scene: &'a str,
+    solver: &'static str,
+    scalar: &'static str,
+    substeps: u32,
+    sweeps: u32,
+    error: Option<String>,
+    strain: String,
+    instructions: Option<f64>,
+    operations: Option<f64>,
+    additions: Option<f64>,
+    products: Option<f64>,
+    quotients: Option<f64>,
+    roots: Option<f64>,
+    comparisons: Option<f64>,
+    time_ratio: f64,
+}
+
+impl Study {
+    /// All points as lines of a table.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        let number = |value: f64| if value.is_finite() { format!("{value:e}") } else { "diverged".to_string() };
+        self.points.iter().map(move |point| {
+            let Configuration { solver, scalar, substeps, sweeps } = point.configuration;
+            let count =
+                |of: fn(PerParticle) -> f64| point.operations.map(of).map(|count| (count * 10.0).round() / 10.0);
+            Row {
+                scene: &self.subject.scene.name,
+                solver: solver.name(),
+                scalar: scalar.name(),
+                substeps,
+                sweeps,
+                error: point.seen.error.map(number),
+                strain: number(point.seen.strain),
+                instructions: point.instructions.map(f64::round),
+                operations: count(PerParticle::total),
+                additions: count(|of| of.additions),
+                products: count(|of| of.products),
+                quotients: count(|of| of.quotients),
+                roots: count(|of| of.roots),
+                comparisons: count(|of| of.comparisons),
+                time_ratio: (point.time_ratio * 100.0).round() / 100.0,
+            }
+        })
+    }
+}

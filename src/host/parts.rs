@@ -1,0 +1,238 @@
+//! What the scenes of a program may name. What none of them names costs nothing.
+
+use std::format;
+use std::vec::Vec;
+
+use super::build::Solids;
+use super::description::{Description, Wind, WindModel};
+use super::error::SceneError;
+use super::fit::Fit;
+use crate::collider::Collider;
+use crate::force::{AerodynamicWind, FacetWind, Force};
+use crate::link::{Damped, Links};
+use crate::scalar::Scalar;
+use crate::units::Units;
+
+/// Links that a scene may have or not.
+pub trait Springs<S: Scalar + Send>: Links<S> + Copy + Send + 'static {}
+
+impl<S: Scalar + Send, L: Links<S> + Copy + Send + 'static> Springs<S> for L {}
+
+/// What is in the way, or nothing.
+pub trait Obstacles<S: Scalar>: Collider<S> + Send + 'static {
+    /// Where the balls are, m.
+    fn centres(&self, units: &Units) -> Vec<[f64; 3]>;
+    /// Moves the balls to `centres`, m.
+    fn set_centres(&mut self, units: &Units, centres: &[[f64; 3]]);
+}
+
+impl<S: Scalar> Obstacles<S> for () {
+    fn centres(&self, _: &Units) -> Vec<[f64; 3]> {
+        Vec::new()
+    }
+
+    fn set_centres(&mut self, _: &Units, _: &[[f64; 3]]) {}
+}
+
+/// The parts that scenes are put together from.
+pub trait Parts<S: Scalar + Send>: 'static {
+    /// Moving air.
+    type Air: Force<S> + Send;
+    /// A family of links.
+    type Springs<L: Springs<S>>: Springs<S>;
+
+    /// What is in the way.
+    type Obstacles: Obstacles<S>;
+
+    /// The core's wind.
+    ///
+    /// # Errors
+    ///
+    /// If the parts have no such wind, or the number type does not hold it.
+    fn air(units: &Units, wind: Option<&Wind>) -> Result<Self::Air, SceneError>;
+
+    /// `springs` with dampers of `damping` (N·s/m) beside them; `table` is their name in the scene file.
+    ///
+    /// # Errors
+    ///
+    /// If the parts have no dampers, or the number type does not hold them.
+    fn springs<L: Springs<S>>(
+        units: &Units,
+        table: &str,
+        springs: L,
+        damping: f64,
+    ) -> Result<Self::Springs<L>, SceneError>;
+
+    /// The core's colliders.
+    ///
+    /// # Errors
+    ///
+    /// If the parts have none, or the number type does not hold them.
+    fn obstacles(scene: &Description, units: &Units) -> Result<Self::Obstacles, SceneError>;
+}
+
+/// All that a scene file can say.
+#[derive(Clone, Copy, Debug)]
+pub enum Everything {}
+
+impl<S: Scalar + Send> Parts<S> for Everything {
+    type Air = (Option<FacetWind<S>>, Option<AerodynamicWind<S>>);
+    type Springs<L: Springs<S>> = Damped<L, S>;
+    type Obstacles = Solids<S>;
+
+    fn air(units: &Units, wind: Option<&Wind>) -> Result<Self::Air, SceneError> {
+        match wind {
+            Some(&Wind { velocity, model: WindModel::Aerodynamic { density, drag_coefficient } }) => {
+                let flow = units.aerodynamic_wind(velocity, density, drag_coefficient);
+                Fit::<S>::vector(VELOCITY, flow.wind)?;
+                Fit::<S>::number("environment.wind.density", flow.pressure)?;
+                Ok((None, Some(AerodynamicWind::new(flow))))
+            }
+            facet => Ok((Basics::air(units, facet)?, None)),
+        }
+    }
+
+    fn springs<L: Springs<S>>(
+        units: &Units,
+        table: &str,
+        springs: L,
+        damping: f64,
+    ) -> Result<Self::Springs<L>, SceneError> {
+        let damping = units.damping(damping);
+        Fit::<S>::number(format!("{table}.damping"), damping.dividend)?;
+        Ok(Damped::new(springs, damping))
+    }
+
+    fn obstacles(scene: &Description, units: &Units) -> Result<Solids<S>, SceneError> {
+        scene.solids(units)
+    }
+}
+
+/// Scenes whose forces don't depend on velocities: neither dampers in links nor aerodynamic wind. Solvers that would evaluate such forces twice do so once.
+#[derive(Clone, Copy, Debug)]
+pub enum Basics {}
+
+impl<S: Scalar + Send> Parts<S> for Basics {
+    type Air = Option<FacetWind<S>>;
+    type Springs<L: Springs<S>> = L;
+    type Obstacles = Solids<S>;
+
+    fn air(units: &Units, wind: Option<&Wind>) -> Result<Self::Air, SceneError> {
+        match wind {
+            None => Ok(None),
+            Some(Wind { velocity, model: WindModel::Facet }) => {
+                let flow = units.facet_wind(*velocity);
+                Fit::<S>::vector(VELOCITY, flow.wind)?;
+                Ok(Some(FacetWind::new(flow)))
+            }
+            Some(_) => Err(SceneError::new("environment.wind.model", "aerodynamic wind is not among the basics")),
+        }
+    }
+
+    fn springs<L: Springs<S>>(_: &Units, table: &str, springs: L, damping: f64) -> Result<L, SceneError> {
+        undamped(table, springs, damping)
+    }
+
+    fn obstacles(scene: &Description, units: &Units) -> Result<Solids<S>, SceneError> {
+        scene.solids(units)
+    }
+}
+
+/// A sheet of undamped springs under gravity and drag, and nothing else: what most goals of a solver are measured on.
+#[derive(Clone, Copy, Debug)]
+pub enum Bare {}
+
+impl<S: Scalar + Send> Parts<S> for Bare {
+    type Air = ();
+    type Springs<L: Springs<S>> = L;
+    type Obstacles = ();
+
+    fn air(_: &Units, wind: Option<&Wind>) -> Result<(), SceneError> {
+        wind.map_or(Ok(()), |_| Err(SceneError::new("environment.wind", "a bare sheet has no wind")))
+    }
+
+    fn springs<L: Springs<S>>(_: &Units, table: &str, springs: L, damping: f64) -> Result<L, SceneError> {
+        undamped(table, springs, damping)
+    }
+
+    fn obstacles(scene: &Description, _: &Units) -> Result<(), SceneError> {
+        let present =
+            [("sphere", scene.spheres.len()), ("plane", scene.planes.len()), ("capsule", scene.capsules.len())];
+        let found = present.into_iter().find(|(_, count)| *count > 0);
+        found.map_or(Ok(()), |(table, _)| Err(SceneError::new(table, "a bare sheet has nothing in its way")))
+    }
+}
+
+fn undamped<L>(table: &str, springs: L, damping: f64) -> Result<L, SceneError> {
+    if damping == 0.0 {
+        Ok(springs)
+    } else {
+        Err(SceneError::new(format!("{table}.damping"), "these springs have no dampers"))
+    }
+}
+
+const VELOCITY: &str = "environment.wind.velocity";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::host::SolverKind;
+
+    const SCENE: &str = r#"
+        [cloth]
+        columns = 4
+        rows = 4
+        width = 1.0
+        height = 1.0
+        density = 0.2
+        pins = "left"
+        [stretch]
+        stiffness = 100.0
+        [shear]
+        stiffness = 10.0
+        [environment]
+        gravity = [0.0, 0.0, -9.81]
+        drag = 0.3
+        wind = { velocity = [1.0, 3.0, 0.5], model = "facet" }
+        [[sphere]]
+        centre = [0.6, 0.5, -0.3]
+        radius = 0.2
+        [solver]
+        step = 0.02
+        substeps = 4
+    "#;
+
+    fn digest<P: Parts<f32>>(scene: &Description) -> u32 {
+        let mut moving = scene.simulation_on::<P, f32, 4, 4>().unwrap();
+        (0..25).for_each(|_| moving.frame());
+        moving.digest()
+    }
+
+    #[test]
+    fn fewer_parts_give_the_same_bits() {
+        let mut scene = Description::parse(SCENE).unwrap();
+        for kind in SolverKind::ALL {
+            scene.solver.kind = kind;
+            assert_eq!(digest::<Basics>(&scene), digest::<Everything>(&scene), "{kind:?}");
+            let calm = Description { wind: None, spheres: Vec::new(), ..scene.clone() };
+            assert_eq!(digest::<Bare>(&calm), digest::<Everything>(&calm), "{kind:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_there_is_refused() {
+        fn refused<P: Parts<f32>>(scene: &Description) -> Option<std::string::String> {
+            scene.simulation_on::<P, f32, 4, 4>().err().map(|error| error.key)
+        }
+        let scene = |from: &str, to: &str| Description::parse(&SCENE.replace(from, to)).unwrap();
+        let calm = Description { wind: None, ..scene("", "") };
+        assert_eq!(refused::<Bare>(&scene("", "")).as_deref(), Some("environment.wind"));
+        assert_eq!(refused::<Bare>(&calm).as_deref(), Some("sphere"));
+        assert_eq!(refused::<Bare>(&Description { spheres: Vec::new(), ..calm }), None);
+        let refused = |from: &str, to: &str| refused::<Basics>(&scene(from, to));
+        assert_eq!(refused("", ""), None);
+        assert_eq!(refused("stiffness = 10.0", "stiffness = 10.0\ndamping = 0.1").as_deref(), Some("shear.damping"));
+        assert_eq!(refused("facet", "aerodynamic").as_deref(), Some("environment.wind.model"));
+        assert_eq!(refused(" = 4\n        rows = 4", " = 8\n        rows = 8").as_deref(), Some("cloth.columns"));
+    }
+}

@@ -1,0 +1,89 @@
+//! Vectors on the nodes of a grid.
+
+use crate::grid::{Grid, Node};
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+
+/// `W × H` vectors, row by row.
+///
+/// A row keeps its x, its y and its z together: machines that compute four numbers at once take them from a row as they lie.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vectors<S, const W: usize, const H: usize>(pub [Vec3<[S; W]>; H]);
+
+impl<S: Scalar, const W: usize, const H: usize> Vectors<S, W, H> {
+    /// The same vector everywhere.
+    ///
+    /// A grid without a node, or one whose nodes 32 bits can't count, does not compile.
+    pub const fn filled(vector: Vec3<S>) -> Self {
+        const { Grid::<S, W, H>::check() };
+        Self([Vec3::row(vector); H])
+    }
+
+    /// The vector at a node.
+    #[inline(always)]
+    pub fn at(&self, node: Node) -> Vec3<S> {
+        self.0[node.row].at(node.column)
+    }
+
+    /// Changes the vector at a node.
+    #[inline(always)]
+    pub fn set(&mut self, node: Node, vector: Vec3<S>) {
+        self.0[node.row].set(node.column, vector);
+    }
+
+    /// Adds to the vector at a node.
+    #[inline(always)]
+    pub fn add(&mut self, node: Node, vector: Vec3<S>) {
+        self.0[node.row].add(node.column, vector);
+    }
+
+    /// All vectors, row by row.
+    pub fn values(&self) -> impl Iterator<Item = Vec3<S>> {
+        self.0.iter().flat_map(|row| (0..W).map(|column| row.at(column)))
+    }
+
+    /// Replaces every vector, row by row, by what `change` makes of it.
+    pub fn change(&mut self, mut change: impl FnMut(Vec3<S>) -> Vec3<S>) {
+        for row in &mut self.0 {
+            for column in 0..W {
+                row.set(column, change(row.at(column)));
+            }
+        }
+    }
+}
+
+/// A row of vectors.
+impl<S: Scalar, const W: usize> Vec3<[S; W]> {
+    /// The same vector everywhere.
+    #[inline]
+    pub const fn row(vector: Vec3<S>) -> Self {
+        Self { x: [vector.x; W], y: [vector.y; W], z: [vector.z; W] }
+    }
+
+    /// The vector in a column.
+    #[inline(always)]
+    pub fn at(&self, column: usize) -> Vec3<S> {
+        Vec3::new(self.x[column], self.y[column], self.z[column])
+    }
+
+    /// Changes the vector in a column.
+    #[inline(always)]
+    pub fn set(&mut self, column: usize, vector: Vec3<S>) {
+        self.x[column] = vector.x;
+        self.y[column] = vector.y;
+        self.z[column] = vector.z;
+    }
+
+    /// Adds to the vector in a column.
+    #[inline(always)]
+    pub fn add(&mut self, column: usize, vector: Vec3<S>) {
+        self.set(column, self.at(column) + vector);
+    }
+
+    /// The row whose x, y and z are what `change` makes of this one's.
+    #[inline(always)]
+    #[must_use]
+    pub fn components(&self, change: impl Fn(&[S; W]) -> [S; W]) -> Self {
+        Self { x: change(&self.x), y: change(&self.y), z: change(&self.z) }
+    }
+}
