@@ -27,6 +27,9 @@ use kerchief::force::Force;
 use kerchief::{Cloth, Collider, Links, Scalar, Scene, Solver, measure};
 use panic_semihosting as _;
 
+/// The length of the loop that sets the clock: `delay` executes two instructions for every two cycles that it is asked for.
+const LOOP: u32 = 10_000_000;
+
 /// A clock that counts instructions.
 struct Clock {
     timer: SYST,
@@ -42,8 +45,6 @@ impl Clock {
         timer.clear_current();
         timer.enable_counter();
         let mut clock = Self { timer, scale: 0 };
-        // two instructions for every two cycles that are asked for
-        const LOOP: u32 = 10_000_000;
         let start = clock.ticks(|| cortex_m::asm::delay(0));
         let ticks = clock.ticks(|| cortex_m::asm::delay(LOOP)) - start;
         clock.scale = u64::from(LOOP) * 1_000_000 / u64::from(ticks);

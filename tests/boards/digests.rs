@@ -24,7 +24,7 @@ fn digests_are_the_same_on_every_machine() {
             let (program, expected) = (&programs[machine.target], &expected);
             scope.spawn(move || compare(machine, expected, &parse(&machine.run(program))))
         };
-        let runs: Vec<_> = machine::ALL.each_ref().map(|machine| run(machine)).into();
+        let runs: Vec<_> = machine::ALL.each_ref().map(run).into();
         runs.into_iter().flat_map(|run| run.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))).collect()
     });
     assert!(differences.is_empty(), "sheets moved otherwise:\n{}", differences.join("\n"));
@@ -40,7 +40,8 @@ fn here() -> Trails {
             let (_, _, expected) = row.expect("the table has a row for each scene and solver");
             for (number, last) in NUMBERS.iter().zip(expected) {
                 let mut trail = Vec::new();
-                (number.play)(case, method, &mut |digest| trail.push(digest));
+                let outcome = (number.play)(case, method, &mut |digest| trail.push(digest));
+                assert!(outcome.finite, "{} by {solver} in {}", case.name, number.name);
                 let key = [case.name, &solver, number.name].map(str::to_owned);
                 assert_eq!(trail.last(), Some(last), "{key:?}: here and in the table");
                 trails.insert(key, trail);

@@ -26,7 +26,23 @@ fn figures_are_those_that_are_published() {
     let help = "`UPDATE_INSTRUCTIONS=1 cargo test --test boards` writes them anew";
     assert!(differences.is_empty(), "other figures than the published ones ({help}):\n{}", differences.join("\n"));
     report::check(&committed);
+    nothing_is_free(&found);
 }
+
+/// What a scene doesn't name costs nothing: `()` in every place is the scene without these places.
+fn nothing_is_free(figures: &[Figure]) {
+    for bare in figures.iter().filter(|figure| figure.scene == "bare") {
+        let unnamed = figures.iter().find(|figure| figure.number == bare.number && figure.scene == "unnamed");
+        let unnamed = unnamed.expect("both are measured");
+        assert_eq!((bare.flash, bare.memory), (unnamed.flash, unnamed.memory), "in {}", bare.number);
+        for (bare, unnamed) in bare.instructions().into_iter().zip(unnamed.instructions()) {
+            assert!(bare.abs_diff(unnamed) <= TICK, "{bare} {unnamed}");
+        }
+    }
+}
+
+/// The instructions that the boards' clock does not tell apart.
+const TICK: u64 = 40;
 
 /// Every scene in every number type, counted and linked.
 fn measured() -> Vec<Figure> {

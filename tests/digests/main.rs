@@ -9,6 +9,8 @@ mod play;
 mod setup;
 mod table;
 
+use std::fmt::Write;
+
 use cases::CASES;
 use kerchief::Scalar;
 use kerchief::host::{Description, WindModel, built_in};
@@ -66,7 +68,7 @@ fn write(rows: &[(&str, String, Vec<u32>)]) {
     );
     for (scene, solver, digests) in rows {
         let digests = digests.iter().map(|digest| format!("{digest:#010x}")).collect::<Vec<_>>().join(", ");
-        text += &format!("    ({scene:?}, {solver:?}, [{digests}]),\n");
+        let _ = writeln!(text, "    ({scene:?}, {solver:?}, [{digests}]),");
     }
     text += "];\n";
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/digests/table.rs");
