@@ -261,7 +261,7 @@ fn what_is_wrong_is_one_line() {
         (&["nowhere"][..], "no scene or file \"nowhere\""),
         (&["bad.toml"], "bad.toml: cloth.mass"),
         (&["tiny.toml", "--energy-scene", "nowhere"], "no scene or file \"nowhere\""),
-        (&["tiny.toml", "--energy-scene", "weightless.toml"], "weightless: environment.gravity: "),
+        (&["tiny.toml", "--energy-scene", "weightless.toml"], "small: environment.gravity: without it"),
         (&["tiny.toml", "--seconds", "-1"], "'-1'"),
         (&["tiny.toml", "--out", "small.toml/out"], "--out: small.toml/out: "),
     ] {

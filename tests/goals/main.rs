@@ -26,13 +26,13 @@ const FLAG: Sheet = Sheet { side: 32, hold: Hold::LeftEdge, wind: Some([5.0, 0.0
 
 #[rustfmt::skip]
 const GOALS: [Goal; 7] = [
-    Goal { sheet: TWO_CORNERS, substeps:  2, sweeps: 2, error: 1.0, strain: 1.0, operations: 1e9 },
-    Goal { sheet: TWO_CORNERS, substeps:  8, sweeps: 2, error: 1.0, strain: 1.0, operations: 1e9 },
-    Goal { sheet: TWO_CORNERS, substeps: 24, sweeps: 2, error: 1.0, strain: 1.0, operations: 1e9 },
-    Goal { sheet: TOP_EDGE,    substeps:  3, sweeps: 2, error: 1.0, strain: 1.0, operations: 1e9 },
-    Goal { sheet: TOP_EDGE,    substeps: 12, sweeps: 2, error: 1.0, strain: 1.0, operations: 1e9 },
-    Goal { sheet: FLAG,        substeps:  2, sweeps: 2, error: 1.0, strain: 1.0, operations: 1e9 },
-    Goal { sheet: FLAG,        substeps:  8, sweeps: 2, error: 1.0, strain: 1.0, operations: 1e9 },
+    Goal { sheet: TWO_CORNERS, substeps:  2, sweeps: 2, error: 1.6e-2, strain: 3.5e-2, operations:  1_400.0 },
+    Goal { sheet: TWO_CORNERS, substeps:  8, sweeps: 2, error: 2.7e-3, strain: 3.7e-3, operations:  3_900.0 },
+    Goal { sheet: TWO_CORNERS, substeps: 24, sweeps: 2, error: 3.5e-4, strain: 3.8e-3, operations: 11_700.0 },
+    Goal { sheet: TOP_EDGE,    substeps:  3, sweeps: 2, error: 1.7e-3, strain: 1.6e-3, operations:  1_500.0 },
+    Goal { sheet: TOP_EDGE,    substeps: 12, sweeps: 2, error: 1.4e-4, strain: 1.8e-3, operations:  6_000.0 },
+    Goal { sheet: FLAG,        substeps:  2, sweeps: 2, error: 3.9e-3, strain: 1.7e-2, operations:  1_400.0 },
+    Goal { sheet: FLAG,        substeps:  8, sweeps: 2, error: 1.1e-3, strain: 2.1e-3, operations:  5_000.0 },
 ];
 
 /// Asserts the goals of one sheet against one reference.
