@@ -20,6 +20,9 @@ pub trait Force<S: Scalar> {
     const FOLLOWS_VELOCITY: bool = false;
     /// Whether there is drag.
     const DRAG: bool = false;
+    /// Whether [`uniform`](Self::uniform) may be anything but zero. A force that says no costs no addition: adding zero is not nothing for a
+    /// float, which knows two of them.
+    const UNIFORM: bool = true;
 
     /// The velocity that every particle gains in a substep whatever its mass (cells per tick).
     #[inline]
@@ -117,6 +120,7 @@ impl<S: Scalar> Drag<S> {
 
 impl<S: Scalar> Force<S> for Drag<S> {
     const DRAG: bool = true;
+    const UNIFORM: bool = false;
 
     #[inline]
     fn drag(&self) -> Slowdown<S> {
@@ -124,13 +128,16 @@ impl<S: Scalar> Force<S> for Drag<S> {
     }
 }
 
-impl<S: Scalar> Force<S> for () {}
+impl<S: Scalar> Force<S> for () {
+    const UNIFORM: bool = false;
+}
 
 /// A force that is there or not, decided while the program runs.
 impl<S: Scalar, T: Force<S>> Force<S> for Option<T> {
     const FIELD: bool = T::FIELD;
     const FOLLOWS_VELOCITY: bool = T::FOLLOWS_VELOCITY;
     const DRAG: bool = T::DRAG;
+    const UNIFORM: bool = T::UNIFORM;
 
     #[inline]
     fn uniform(&self) -> Vec3<S> {
@@ -163,14 +170,18 @@ macro_rules! tuple {
             const FIELD: bool = $($name::FIELD)||+;
             const FOLLOWS_VELOCITY: bool = $($name::FOLLOWS_VELOCITY)||+;
             const DRAG: bool = $($name::DRAG)||+;
+            const UNIFORM: bool = $($name::UNIFORM)||+;
 
             #[inline]
             fn uniform(&self) -> Vec3<S> {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
-                let mut gain = Vec3::ZERO;
-                $(gain += $name.uniform();)+
-                gain
+                let mut gain = None;
+                $(if $name::UNIFORM {
+                    let uniform = $name.uniform();
+                    gain = Some(gain.map_or(uniform, |gain| gain + uniform));
+                })+
+                gain.unwrap_or(Vec3::ZERO)
             }
 
             #[inline]

@@ -23,6 +23,7 @@ impl<S: Scalar> FacetWind<S> {
 
 impl<S: Scalar> Force<S> for FacetWind<S> {
     const FIELD: bool = true;
+    const UNIFORM: bool = false;
 
     #[inline]
     fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
@@ -54,6 +55,7 @@ impl<S: Scalar> AerodynamicWind<S> {
 impl<S: Scalar> Force<S> for AerodynamicWind<S> {
     const FIELD: bool = true;
     const FOLLOWS_VELOCITY: bool = true;
+    const UNIFORM: bool = false;
 
     #[inline]
     fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {

@@ -246,8 +246,10 @@ pub struct Solver {
     pub step: f64,
     /// Solver steps per frame.
     pub substeps: u32,
-    /// Per substep, relaxation sweeps of position Verlet and lines and Newton steps of backward Euler; the others have none.
+    /// Per substep, relaxation sweeps of position Verlet, pairs of sweeps of lines and Newton steps of backward Euler; the others have none.
     pub iterations: u32,
+    /// The strain of a row for which lines spend further sweeps; the others have none.
+    pub tolerance: f64,
     /// No link longer than `1 + strain_limit` times its rest length after a step.
     pub strain_limit: Option<f64>,
 }

@@ -42,10 +42,11 @@
 //! | `[[plane]]` | `point`, `normal` | m; outwards, any length |
 //! | `[[capsule]]` | `a`, `b`, `radius` | ends of the axis and radius, m |
 //! | all three | `margin`, `friction` | distance that particles keep, m ≥ 0 \[0\]; Coulomb's coefficient, ≥ 0 \[0\] |
-//! | `[solver]` | `kind` | a [`SolverKind`] \[`"xpbd"`\] |
+//! | `[solver]` | `kind` | a [`SolverKind`] \[`"lines"`\] |
 //! | | `step` | a frame, s > 0 \[1/60\] |
 //! | | `substeps` | solver steps in a frame \[8\] |
-//! | | `iterations` | of Verlet, lines and backward Euler in a substep \[1\] |
+//! | | `iterations` | sweeps of Verlet, pairs of sweeps of lines, Newton steps of backward Euler in a substep \[1\] |
+//! | | `tolerance` | strain of a row for which lines spend further sweeps, > 0 \[0.02\] |
 //! | | `strain_limit` | no link longer than 1 + limit times its rest length, > 0 |
 //! | `[run]` | `frames` | \[100\] |
 //! | `[picture]` | `azimuth`, `elevation` | from where it is looked at, degrees \[30, 20\] |

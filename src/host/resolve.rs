@@ -10,6 +10,7 @@ use super::error::SceneError;
 use super::file::{self, File, Pins, Table};
 use super::quantity::{Count, NonNegative, Number, Positive};
 use super::shape::SHAPES;
+use crate::solver::Lines;
 
 /// Frames of a file that does not say.
 const FRAMES: u32 = 100;
@@ -45,10 +46,11 @@ impl File {
             planes: self.plane.iter().enumerate().map(plane).collect::<Result<_, _>>()?,
             capsules: self.capsule.iter().enumerate().map(capsule).collect::<Result<_, _>>()?,
             solver: Solver {
-                kind: solver.kind.unwrap_or(SolverKind::Xpbd),
+                kind: solver.kind.unwrap_or(SolverKind::Lines),
                 step,
                 substeps: solver.substeps.map_or(SUBSTEPS, Count::get),
                 iterations: solver.iterations.map_or(1, Count::get),
+                tolerance: solver.tolerance.map_or(Lines::new().tolerance, Positive::get),
                 strain_limit: solver.strain_limit.map(Positive::get),
             },
             frames: self.run.0.frames.map_or(FRAMES, Count::get),

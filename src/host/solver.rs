@@ -52,7 +52,7 @@ impl AnySolver {
             SolverKind::Leapfrog => Self::Leapfrog(Leapfrog),
             SolverKind::Xpbd => Self::Xpbd(Xpbd),
             // there and back
-            SolverKind::Lines => Self::Lines(Lines { sweeps: 2 * sweeps }),
+            SolverKind::Lines => Self::Lines(Lines::with_sweeps(2 * sweeps).within(scene.solver.tolerance)),
         })
     }
 }

@@ -8,8 +8,10 @@
 //! every substep. In the first substep, whose history is missing, links follow backward Euler, which once costs no order, and the other forces their
 //! acceleration at its start, so that free fall is exact.
 //!
-//! **In space** a sweep relaxes the other families link by link, then all rows, then all columns ([`chain`]). Sweeps start from a part of the
-//! last substep's multipliers, and particles from the velocities that these gave them: what couples rows, columns and diagonals is then mostly there already.
+//! **In space** a sweep relaxes the other families, then solves all rows, then all columns ([`chain`]), and moves particles out of colliders. Rows and columns
+//! pull each other out of shape, so sweeps go on until a row is met whose links are within the tolerance: where the sheet swings two are enough, where it
+//! snaps taut more are spent. The multipliers of rows and columns start from nothing: on a stiff sheet a part of the last ones does not die away, and shakes it.
+//! Those of the other families, which are softer, start from a part of the last ones, which is worth a sweep.
 
 mod chain;
 mod damp;
@@ -18,13 +20,13 @@ mod predict;
 mod relax;
 
 use crate::cloth::Cloth;
-use crate::collider::Collider;
+use crate::collider::{Collider, resolve};
 use crate::force::Force;
 use crate::grid::Grid;
 use crate::link::Links;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, confine};
+use crate::solver::{Physics, Solver};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
@@ -35,36 +37,54 @@ use relax::Relax;
 ///
 /// `N` is the number of grids of multipliers that it remembers: one for each direction of links in the scene, in the order in which the scene names
 /// them, two for stretch, shear and bend each. Families beyond that start every substep from nothing, which costs accuracy only. At least two.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lines<const N: usize = 4> {
-    /// Sweeps in a substep, at least one.
+    /// Sweeps in every substep, at least one. More make a substep more accurate: a substep of order 2 needs two.
     pub sweeps: u32,
+    /// The largest strain of a row that needs no further sweep. Sheets in motion are strained by about as much.
+    pub tolerance: f64,
+    /// The most sweeps in a substep, however strained rows are: what bounds the time that a step takes.
+    pub most_sweeps: u32,
+}
+
+impl<const N: usize> Lines<N> {
+    /// At least `sweeps` sweeps in a substep, and at most 16, until rows are strained by no more than 2 %.
+    pub const fn with_sweeps(sweeps: u32) -> Self {
+        Self { sweeps, tolerance: 0.02, most_sweeps: if sweeps > 16 { sweeps } else { 16 } }
+    }
+
+    /// The same, until rows are strained by no more than `tolerance`.
+    #[must_use]
+    pub const fn within(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// The same, with exactly [`sweeps`](Self::sweeps) in a substep.
+    #[must_use]
+    pub const fn and_no_more(self) -> Self {
+        Self { most_sweeps: self.sweeps, ..self }
+    }
 }
 
 impl Lines {
-    /// Two sweeps, multipliers for stretch and shear: what most scenes want.
+    /// Two sweeps or more, multipliers for stretch and shear: what most scenes want.
     pub const fn new() -> Self {
-        Self { sweeps: 2 }
+        Self::with_sweeps(2)
     }
 }
 
 impl<const N: usize> Default for Lines<N> {
     fn default() -> Self {
-        Self { sweeps: 2 }
+        Self::with_sweeps(2)
     }
 }
 
-/// The part of a row's or column's last multipliers from which a substep starts. A larger part is more accurate and less stable: 0.7 shakes a nearly
-/// rigid sheet, and 0.9 tears it.
-const WARM_LINES: f64 = 0.5;
-
-/// The same for the other families, which are softer. With one sweep, 1.0 shakes.
-const WARM_OTHERS: f64 = 0.8;
+/// The part of their last multipliers from which links other than rows and columns start. A larger part is more accurate where a sheet swings, and 1.0 shakes a
+/// stiff one.
+const WARM: f64 = 0.8;
 
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
-
-const TOLERANCE: f64 = 0.02;
 
 /// What a sheet's motion leaves behind.
 #[derive(Clone, Copy, Debug)]
@@ -124,30 +144,26 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             }
         };
         damp(cloth, &memory.earlier, Act::First);
-        let unit = S::ONE.rate(moment.halves, moment.shift);
-        if S::FLOATS {
-            scale(&mut cloth.velocity, unit.recip());
-        }
         let mut relax = Relax::new(cloth, &mut memory.tension, moment, softness);
         if memory.history == History::Full {
             relax.start(physics.links);
         } else {
             relax.forget();
         }
-        let tolerance = S::from_f64(TOLERANCE);
+        let tolerance = S::from_f64(self.tolerance);
         let mut met = S::ZERO;
-        for sweep in 0..self.sweeps {
-            met = relax.sweep(physics.links, sweep);
-            if met <= tolerance {
+        for sweep in 0..self.most_sweeps {
+            met = relax.sweep(physics.links, sweep == 0);
+            // within the sweeps, so that links answer to what a collider does to them
+            resolve(physics.colliders, relax.cloth, moment);
+            if met <= tolerance && sweep + 1 >= self.sweeps {
                 break;
             }
         }
         let rough = met > S::from_f64(ROUGH);
-        if S::FLOATS {
-            scale(&mut cloth.velocity, unit);
-        }
         damp(cloth, &memory.earlier, Act::Second);
-        confine(physics, cloth, moment);
+        physics.links.confine(cloth, moment);
+        resolve(physics.colliders, cloth, moment);
         memory.history = match (rough, first_order) {
             (true, _) => History::Rough,
             (false, true) => History::Velocity,
@@ -156,8 +172,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
     }
 }
 
-/// Moves a particle by a link. Floats, whose scale is free, keep displacements in the place of velocities meanwhile: that saves a product for every
-/// number that a link changes.
+/// Moves a particle by a link.
 #[inline(always)]
 fn displace<S: Scalar, const W: usize>(
     position: &mut Vec3<[S; W]>,
@@ -167,7 +182,7 @@ fn displace<S: Scalar, const W: usize>(
     moment: Moment,
 ) {
     position.add(column, by);
-    velocity.add(column, if S::FLOATS { by } else { moment.velocity(by) });
+    velocity.add(column, moment.velocity(by));
 }
 
 /// Moves a row.
@@ -182,8 +197,4 @@ fn displace_row<S: Scalar, const W: usize, const H: usize>(
     for column in 0..W {
         displace(position, velocity, column, by(column), moment);
     }
-}
-
-fn scale<S: Scalar, const W: usize, const H: usize>(vectors: &mut Vectors<S, W, H>, factor: S) {
-    vectors.change(|v| v * factor);
 }

@@ -61,8 +61,8 @@ impl Sheet {
     }
 
     /// The line solver in `f32` against the solution.
-    pub(crate) fn run(&self, substeps: u32, sweeps: u32, reference: &Frames) -> Found {
-        let motion = self.moved::<Counted, _>(Lines::<6> { sweeps }, substeps);
+    pub(crate) fn run(&self, substeps: u32, tolerance: f64, reference: &Frames) -> Found {
+        let motion = self.moved::<Counted, _>(Lines::<6>::with_sweeps(2).within(tolerance), substeps);
         let particle_frames = (self.side * self.side * FRAMES) as f64;
         Found {
             error: distance(&motion.frames, reference),

@@ -6,9 +6,9 @@ use crate::link::{Family, Links, Visitor};
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 
+use super::WARM;
 use super::chain::Chain;
 use super::pairs::Pairs;
-use super::{WARM_LINES, WARM_OTHERS};
 
 /// Which families a visit is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -23,13 +23,14 @@ enum Pass {
 
 /// Relaxes links.
 pub(super) struct Relax<'a, S, const W: usize, const H: usize, const N: usize> {
-    cloth: &'a mut Cloth<S, W, H>,
+    pub(super) cloth: &'a mut Cloth<S, W, H>,
     tension: &'a mut [Grid<S, W, H>; N],
     moment: Moment,
     /// What the rule in time makes of κ.
     softness: S,
     pass: Pass,
-    sweep: u32,
+    /// Whether no sweep of this substep went before.
+    first: bool,
     /// The grid of multipliers of the family at hand.
     slot: usize,
     /// The largest strain of a row that the sweep met.
@@ -43,7 +44,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         moment: Moment,
         softness: S,
     ) -> Self {
-        Self { cloth, tension, moment, softness, pass: Pass::Others, sweep: 0, slot: 0, met: S::ZERO }
+        Self { cloth, tension, moment, softness, pass: Pass::Others, first: true, slot: 0, met: S::ZERO }
     }
 
     /// Lets every link act with a part of its last multiplier.
@@ -58,8 +59,8 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
     }
 
     /// Relaxes every link once. Returns the largest strain of a row that it met.
-    pub(super) fn sweep<L: Links<S>>(&mut self, links: &L, sweep: u32) -> S {
-        (self.sweep, self.met) = (sweep, S::ZERO);
+    pub(super) fn sweep<L: Links<S>>(&mut self, links: &L, first: bool) -> S {
+        (self.first, self.met) = (first, S::ZERO);
         for pass in [Pass::Others, Pass::Lines] {
             (self.pass, self.slot) = (pass, 0);
             links.springs(self);
@@ -67,24 +68,21 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         self.met
     }
 
+    /// Starts a family from nothing.
+    fn clear(&mut self, slot: usize) {
+        if let Some(tension) = self.tension.get_mut(slot) {
+            *tension = Grid::filled(S::ZERO);
+        }
+    }
+
     fn lines<const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
         let Some(tension) = self.tension.get_mut(slot) else { return };
         let strength = family.strength.scaled(self.softness);
         let chain = Chain { rest: &family.rest, strength, moment: self.moment };
-        match (self.pass, DOWN) {
-            (Pass::Start, 0) => Pairs::new(family, strength, self.moment).row::<1, true, W, H>(
-                self.cloth,
-                Some(tension),
-                S::from_f64(WARM_LINES),
-            ),
-            (Pass::Start, _) => Pairs::new(family, strength, self.moment).column::<1, true, W, H>(
-                self.cloth,
-                Some(tension),
-                S::from_f64(WARM_LINES),
-            ),
-            (_, 0) => {
+        match DOWN {
+            0 => {
                 let worst = chain.rows(self.cloth, tension);
-                self.met = self.met.max(worst.divide(family.rest.length));
+                self.met = self.met.max(worst * (family.rest.length * family.rest.inverse_square));
             }
             _ => chain.columns(self.cloth, tension),
         }
@@ -92,13 +90,13 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
 
     fn others<const ACROSS: usize, const DOWN: usize, const START: bool>(&mut self, family: &Family<S>, slot: usize) {
         let pairs = Pairs::new(family, family.strength.scaled(self.softness), self.moment);
-        let warm = S::from_f64(WARM_OTHERS);
+        let warm = S::from_f64(WARM);
         let tension = self.tension.get_mut(slot..).unwrap_or(&mut []);
         // without a memory a second time would count twice
-        let first = self.sweep == 0;
+        let first = self.first;
         match tension {
-            [right, left, ..] if ACROSS > 0 && DOWN > 0 => {
-                pairs.diagonals::<ACROSS, DOWN, START, W, H>(self.cloth, Some([right, left]), warm)
+            [falling, rising, ..] if ACROSS > 0 && DOWN > 0 => {
+                pairs.diagonals::<ACROSS, DOWN, START, W, H>(self.cloth, Some([falling, rising]), warm)
             }
             [tension, ..] if DOWN == 0 => pairs.row::<ACROSS, START, W, H>(self.cloth, Some(tension), warm),
             [tension, ..] if ACROSS == 0 => pairs.column::<DOWN, START, W, H>(self.cloth, Some(tension), warm),
@@ -116,7 +114,8 @@ impl<S: Scalar, const W: usize, const H: usize, const N: usize> Visitor<S> for R
         let slot = self.slot;
         self.slot += if ACROSS > 0 && DOWN > 0 { 2 } else { 1 };
         match (ACROSS + DOWN == 1, self.pass) {
-            (true, Pass::Start | Pass::Lines) => self.lines::<DOWN>(family, slot),
+            (true, Pass::Start) => self.clear(slot),
+            (true, Pass::Lines) => self.lines::<DOWN>(family, slot),
             (false, Pass::Start) => self.others::<ACROSS, DOWN, true>(family, slot),
             (false, Pass::Others) => self.others::<ACROSS, DOWN, false>(family, slot),
             _ => {}

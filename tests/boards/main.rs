@@ -1,0 +1,23 @@
+//! Firmware on emulated boards: equal digests on every machine, executed instructions, flash and RAM, and what a step links.
+//!
+//! `UPDATE_INSTRUCTIONS=1 cargo test --test boards` writes the figures anew.
+
+mod digests;
+mod figures;
+mod firmware;
+mod image;
+mod machine;
+mod measure;
+mod report;
+mod rules;
+
+#[path = "../../examples/firmware/bench.rs"]
+mod bench;
+#[path = "../digests/cases.rs"]
+mod cases;
+#[path = "../digests/play.rs"]
+mod play;
+#[path = "../digests/setup.rs"]
+mod setup;
+#[path = "../digests/table.rs"]
+mod table;
