@@ -136,7 +136,8 @@ pub(crate) fn record(
         moving.frame();
         let now = moving.still().positions;
         // Undefined is not near either.
-        if !(mean_square(&now, &first).sqrt() < furthest) {
+        let is_near = mean_square(&now, &first).sqrt() < furthest;
+        if !is_near {
             return Ok(None);
         }
         positions.push(now);

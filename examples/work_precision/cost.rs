@@ -83,7 +83,7 @@ impl Exchange {
     pub(crate) fn instructions(&self, substeps: u32, operations: f64) -> f64 {
         let place = |&(anchor, rate): &(u32, f64)| (f64::from(anchor).ln(), rate.ln());
         let at = f64::from(substeps).ln();
-        let below = self.0.iter().map(place).filter(|(anchor, _)| *anchor <= at).last();
+        let below = self.0.iter().map(place).rfind(|(anchor, _)| *anchor <= at);
         let above = self.0.iter().map(place).find(|(anchor, _)| *anchor > at);
         let rate = match (below, above) {
             (Some((left, low)), Some((right, high))) => low + (high - low) * (at - left) / (right - left),

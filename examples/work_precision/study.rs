@@ -82,10 +82,8 @@ impl Subject {
         });
         let reference = reference.transpose()?;
         bar.inc(1);
-        let exchanges = match callgrind {
-            true => Some(cost::exchanges(&self.text, &self.scene, &configurations, bar)?),
-            false => None,
-        };
+        let exchanges =
+            callgrind.then(|| cost::exchanges(&self.text, &self.scene, &configurations, bar)).transpose()?;
         let point = |&configuration: &Configuration| {
             let positions = reference.as_ref().map(|reference| &reference.positions);
             let seen = Measurement::of(lean::moving, &self.scene, configuration, self.frames, positions)
