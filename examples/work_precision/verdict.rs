@@ -99,6 +99,9 @@ impl Study {
     pub(crate) fn report(&self, wishes: &Wishes, page: &mut Page, directory: &Path) -> Result<(), String> {
         let scene = &self.subject.scene;
         page.paragraph(&format!("## {}", scene.name));
+        if let Some(words) = self.subject.text.lines().next().and_then(|line| line.strip_prefix("# ")) {
+            page.paragraph(words);
+        }
         page.paragraph(&self.basis());
         for (quality, points) in self.qualities() {
             let file = format!("{}-{}.svg", scene.name, quality.name());
