@@ -76,14 +76,16 @@ impl Subject {
         let in_scene = |reason: &dyn std::fmt::Display| format!("{}: {reason}", self.scene.name);
         let configurations = choice.configurations();
         bar.inc_length(configurations.len() as u64 + 1);
-        let reference = self.tolerance.map(|tolerance| {
-            Reference::of(lean::moving, &self.text, &self.scene, self.frames, tolerance, cache)
-                .map_err(|error| in_scene(&error))
-        });
-        let reference = reference.transpose()?;
-        bar.inc(1);
+        let reference = || {
+            let solve = |tolerance| Reference::of(lean::moving, &self.text, &self.scene, self.frames, tolerance, cache);
+            let reference = self.tolerance.map(solve).transpose().map_err(|error| in_scene(&error));
+            bar.inc(1);
+            reference
+        };
         let exchanges =
-            callgrind.then(|| cost::exchanges(&self.text, &self.scene, &configurations, bar)).transpose()?;
+            || callgrind.then(|| cost::exchanges(&self.text, &self.scene, &configurations, bar)).transpose();
+        let (reference, exchanges) = rayon::join(reference, exchanges);
+        let (reference, exchanges) = (reference?, exchanges?);
         let point = |&configuration: &Configuration| {
             let positions = reference.as_ref().map(|reference| &reference.positions);
             let seen = Measurement::of(lean::moving, &self.scene, configuration, self.frames, positions)
