@@ -17,8 +17,10 @@ pub(crate) const SWEEPS: u32 = 8;
 pub(crate) const LINES: (Lines, u32) = (Lines { sweeps: 1 }, 3);
 
 /// Frames before the counted ones: links are then stretched as they usually are.
+#[allow(dead_code, reason = "a footprint counts nothing")]
 pub(crate) const WARM_UP: u32 = 2;
 /// Frames that are counted.
+#[allow(dead_code, reason = "a footprint counts nothing")]
 pub(crate) const COUNTED: u32 = 2;
 
 /// What is done with a scene.
