@@ -1,5 +1,6 @@
 //! One physical sheet on many grids.
 
+use image::{RgbImage, imageops};
 use kerchief::Units;
 use kerchief::host::{Description, ScalarKind, SolverKind, Still};
 use kerchief::material::{JACKET, Material};
@@ -64,7 +65,7 @@ impl Awning {
              [stretch]\nstiffness = {}\n[shear]\nstiffness = {}\n[bend]\nstiffness = {}\n\
              [environment]\ngravity = [0.0, 0.0, -9.81]\ndrag = {}\n\
              [solver]\nkind = \"{}\"\nstep = {STEP}\nsubsteps = {}\niterations = {}\n\
-             [picture]\npattern = \"gingham\"\nbands = 7\nelevation = 25.0\nazimuth = 25.0\n",
+             [picture]\npattern = \"gingham\"\nbands = 7\nelevation = 15.0\nazimuth = 25.0\n",
             self.material.density,
             pins.join(", "),
             springs.stretch,
@@ -144,6 +145,12 @@ impl Outcome {
     pub(crate) fn cell(&self) -> f64 {
         SIZE / (self.side - 1) as f64
     }
+}
+
+/// The part of a square picture that shows the sheet.
+pub(crate) fn cropped(picture: &RgbImage) -> RgbImage {
+    let side = picture.width();
+    imageops::crop_imm(picture, 0, side / 5, side, side / 2 - side / 20).to_image()
 }
 
 /// A place of the sheet between particles, by cubic interpolation along both sides: straight lines would be further from the sheet than the

@@ -6,14 +6,14 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::awning::{Awning, Outcome};
+use crate::awning::{Awning, Outcome, cropped};
 use crate::laboratory::page::{Page, scientific, write_csv, write_png};
 use crate::laboratory::plot::{Axis, COLOURS, Curve, Marker, Plot};
 use crate::strip::strip;
 use crate::studio::Studio;
 
 /// The side of a picture, pixels.
-const SIDE: u32 = 330;
+const SIDE: u32 = 400;
 /// Pictures side by side.
 const PICTURES: usize = 4;
 
@@ -156,7 +156,7 @@ impl Grids {
         for outcome in shown {
             let scene = self.awning.scene(outcome.side)?;
             let studio = Studio::new(&scene, [&outcome.still], SIDE)?;
-            let picture = studio.picture(&outcome.still);
+            let picture = cropped(&studio.picture(&outcome.still));
             panels.push((picture, format!("{0} x {0}", outcome.side)));
         }
         write_png(directory, "grids.png", &strip(&panels))

@@ -7,7 +7,7 @@ use kerchief::material::Material;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::awning::{Awning, Outcome, STEP};
+use crate::awning::{Awning, Outcome, STEP, cropped};
 use crate::laboratory::page::{Page, scientific, write_csv, write_png};
 use crate::laboratory::plot::{Axis, COLOURS, Curve, Marker, Plot};
 use crate::strip::strip;
@@ -16,7 +16,7 @@ use crate::studio::Studio;
 /// By how much a property is changed.
 const FACTORS: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 4.0];
 /// The side of a picture, pixels.
-const SIDE: u32 = 330;
+const SIDE: u32 = 400;
 
 /// What is changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -191,7 +191,8 @@ impl Parameters {
         let shown = |change: &&Change| change.property == Property::Stiffness && change.factor != 0.5;
         let changes: Vec<_> = self.changes.iter().filter(shown).collect();
         let studio = Studio::new(&scene, changes.iter().map(|change| &change.outcome.still), SIDE)?;
-        let panel = |change: &&Change| (studio.picture(&change.outcome.still), format!("C = {}", change.words));
+        let panel =
+            |change: &&Change| (cropped(&studio.picture(&change.outcome.still)), format!("C = {}", change.words));
         write_png(directory, "parameters.png", &strip(&changes.iter().map(panel).collect::<Vec<_>>()))
     }
 }

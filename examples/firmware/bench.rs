@@ -13,8 +13,8 @@ pub(crate) const SIDE: usize = 16;
 /// Substeps of XPBD, or sweeps of position Verlet, in a frame.
 pub(crate) const SWEEPS: u32 = 8;
 
-/// With how many sweeps and substeps the line solver keeps the sheet's strain in motion under 1 %.
-pub(crate) const LINES: (Lines, u32) = (Lines { sweeps: 1 }, 3);
+/// With which settings and substeps the line solver keeps the sheet's strain in motion under 1 %.
+pub(crate) const LINES: (Lines, u32) = (Lines::new().within(0.005), 1);
 
 /// Frames before the counted ones: links are then stretched as they usually are.
 #[allow(dead_code, reason = "a footprint counts nothing")]

@@ -11,15 +11,15 @@ use image::{Rgb, RgbImage, imageops};
 const LINE: u32 = 32;
 const GAP: u32 = 8;
 
-/// Square pictures of one size side by side, with words under each.
+/// Pictures of one size side by side, with words under each.
 pub(crate) fn strip(panels: &[(RgbImage, String)]) -> RgbImage {
-    let side = panels.first().map_or(0, |(picture, _)| picture.width());
+    let (width, height) = panels.first().map_or((0, 0), |(picture, _)| picture.dimensions());
     let count = panels.len() as u32;
-    let mut page = RgbImage::from_pixel(count * (side + GAP) - GAP, side + LINE, Rgb([255; 3]));
+    let mut page = RgbImage::from_pixel(count * (width + GAP) - GAP, height + LINE, Rgb([255; 3]));
     for (index, (picture, words)) in panels.iter().enumerate() {
-        let left = i64::from(index as u32 * (side + GAP));
+        let left = i64::from(index as u32 * (width + GAP));
         imageops::replace(&mut page, picture, left, 0);
-        imageops::replace(&mut page, &line(words, side), left, side.into());
+        imageops::replace(&mut page, &line(words, width), left, height.into());
     }
     page
 }

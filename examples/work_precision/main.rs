@@ -44,9 +44,10 @@ struct Args {
     /// Sweeps per substep, of every solver that has them; without, what is usual for each
     #[arg(long, value_name = "N,…", value_delimiter = ',', value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     sweeps: Vec<u32>,
-    /// The most substeps × sweeps in a frame, a Newton step counting as 32; what has more is left out
-    #[arg(long, value_name = "N", default_value_t = 256, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
-    work: u32,
+    /// The most substeps × sweeps in a frame, a Newton step counting as 32; what has more is left out. Without, 256 in runs of 20 frames and
+    /// accordingly fewer in longer ones
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
+    work: Option<u32>,
     /// How long the motion is looked at, s; without, as long as the scene runs but no longer than 2 s where position errors are measured
     #[arg(long, value_name = "S", value_parser = positive)]
     seconds: Option<f64>,
@@ -96,8 +97,9 @@ fn run(args: &Args) -> Result<(), String> {
         Some(Cost::Instructions) => true,
         None => callgrind::is_there(),
     };
-    let choice = args.choice();
-    subjects.iter().try_for_each(|subject| subject.check(&choice, callgrind))?;
+    for subject in &subjects {
+        subject.check(&args.choice(subject.frames), callgrind)?;
+    }
     staging::prepare(&args.out)?;
     prepare_workers()?;
     if !callgrind && args.cost.is_none() {
@@ -106,7 +108,7 @@ fn run(args: &Args) -> Result<(), String> {
     let bar = progress("runs", 0);
     let mut studies = Vec::new();
     for subject in &subjects {
-        studies.push(subject.study(&choice, callgrind, &args.cache, &bar)?);
+        studies.push(subject.study(&args.choice(subject.frames), callgrind, &args.cache, &bar)?);
     }
     bar.finish_and_clear();
     args.write(&studies)?;
@@ -133,13 +135,13 @@ impl Args {
         scenes.iter().map(subject).collect()
     }
 
-    fn choice(&self) -> Choice {
+    fn choice(&self, frames: u32) -> Choice {
         Choice {
             solvers: self.solvers.clone(),
             scalars: self.scalars.clone(),
             substeps: self.substeps.clone(),
             sweeps: self.sweeps.clone(),
-            work: self.work,
+            work: self.work.unwrap_or((20 * 256 / frames).clamp(16, 256)),
         }
     }
 

@@ -192,16 +192,14 @@ impl Study {
 
     /// Which configurations blew up.
     fn diverged(&self) -> Option<String> {
-        let mut groups: BTreeMap<String, Vec<String>> = BTreeMap::new();
-        for Point { configuration, .. } in self.points.iter().filter(|point| point.seen.strain.is_infinite()) {
-            let Configuration { solver, scalar, substeps, sweeps } = configuration;
-            groups
-                .entry(format!("{} {} × {sweeps}", solver.name(), scalar.name()))
-                .or_default()
-                .push(substeps.to_string());
+        let mut groups: BTreeMap<String, Vec<(u32, bool)>> = BTreeMap::new();
+        for point in &self.points {
+            let Configuration { solver, scalar, substeps, sweeps } = point.configuration;
+            let group = format!("{} {} × {sweeps}", solver.name(), scalar.name());
+            groups.entry(group).or_default().push((substeps, point.seen.strain.is_infinite()));
         }
-        let words = |(group, substeps): (&String, &Vec<String>)| format!("{group} at {}", substeps.join(", "));
-        let all: Vec<_> = groups.iter().map(words).collect();
+        let lost = groups.iter().filter(|(_, runs)| runs.iter().any(|(_, lost)| *lost));
+        let all: Vec<_> = lost.map(|(group, runs)| format!("{group} at {}", stretches(runs))).collect();
         (!all.is_empty())
             .then(|| format!("Diverged (solver, number type × sweeps, at so many substeps): {}.", all.join("; ")))
     }
@@ -249,4 +247,15 @@ impl Study {
             notes,
         }
     }
+}
+
+/// The marked ones of ascending numbers in words: `1 to 8, 32`.
+fn stretches(numbers: &[(u32, bool)]) -> String {
+    let runs = numbers.chunk_by(|a, b| a.1 == b.1).filter(|run| run[0].1);
+    let words = |run: &[(u32, bool)]| match *run {
+        [(only, _)] => only.to_string(),
+        [(first, _), .., (last, _)] => format!("{first} to {last}"),
+        [] => String::new(),
+    };
+    runs.map(words).collect::<Vec<_>>().join(", ")
 }

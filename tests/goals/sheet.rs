@@ -16,7 +16,7 @@ const CONVERGED: f64 = 1e-5;
 
 /// Where a sheet is held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hold {
+pub(crate) enum Hold {
     TwoCorners,
     TopEdge,
     LeftEdge,
@@ -24,23 +24,23 @@ pub enum Hold {
 
 /// A sheet of 16 × 16 or 32 × 32 particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sheet {
-    pub side: usize,
-    pub hold: Hold,
+pub(crate) struct Sheet {
+    pub(crate) side: usize,
+    pub(crate) hold: Hold,
     /// Of the facet model, m/s.
-    pub wind: Option<[f64; 3]>,
+    pub(crate) wind: Option<[f64; 3]>,
 }
 
 /// Positions at the ends of frames, m.
-pub type Frames = Vec<Vec<[f64; 3]>>;
+pub(crate) type Frames = Vec<Vec<[f64; 3]>>;
 
 /// What a run reached.
 #[derive(Clone, Copy, Debug)]
 #[allow(dead_code, reason = "shown where a goal is missed")]
-pub struct Found {
-    pub error: f64,
-    pub strain: f64,
-    pub operations: f64,
+pub(crate) struct Found {
+    pub(crate) error: f64,
+    pub(crate) strain: f64,
+    pub(crate) operations: f64,
 }
 
 /// A sheet in motion: positions, the largest strain and the operations of every frame.
@@ -52,7 +52,7 @@ struct Motion {
 
 impl Sheet {
     /// The solution: leapfrog in `f64`, extrapolated.
-    pub fn reference(&self) -> Frames {
+    pub(crate) fn reference(&self) -> Frames {
         let [fine, coarse] = [FINE, FINE / 2].map(|substeps| self.moved::<f64, _>(Leapfrog, substeps).frames);
         let limit: Frames = fine.iter().zip(&coarse).map(|(fine, coarse)| extrapolate(fine, coarse)).collect();
         let left = distance(&limit, &fine);
@@ -61,8 +61,8 @@ impl Sheet {
     }
 
     /// The line solver in `f32` against the solution.
-    pub fn run(&self, substeps: u32, sweeps: u32, reference: &Frames) -> Found {
-        let motion = self.moved::<Counted, _>(Lines::<6> { sweeps }, substeps);
+    pub(crate) fn run(&self, substeps: u32, tolerance: f64, reference: &Frames) -> Found {
+        let motion = self.moved::<Counted, _>(Lines::<6>::with_sweeps(2).within(tolerance), substeps);
         let particle_frames = (self.side * self.side * FRAMES) as f64;
         Found {
             error: distance(&motion.frames, reference),
