@@ -56,7 +56,9 @@ where
 #[cortex_m_rt::entry]
 fn main() -> ! {
     bench::play_all(&mut Forever);
-    loop {}
+    loop {
+        cortex_m::asm::wfi();
+    }
 }
 
 /// Not linked, because nothing can panic: the test looks for it.

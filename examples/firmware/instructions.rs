@@ -19,7 +19,7 @@ mod bench;
 
 use core::hint::black_box;
 
-use bench::{Bench, COUNTED, SIDE, WARM_UP};
+use bench::{Bench, SIDE, WARM_UP, counted};
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_semihosting::{debug, hprintln};
@@ -56,11 +56,8 @@ impl Clock {
         self.timer.clear_current();
         let start = SYST::get_current();
         work();
+        assert!(!self.timer.has_wrapped(), "too long for the timer");
         start.wrapping_sub(SYST::get_current()) & 0x00ff_ffff
-    }
-
-    fn instructions(&mut self, work: impl FnOnce()) -> u64 {
-        u64::from(self.ticks(work)) * self.scale / 1_000_000
     }
 }
 
@@ -82,16 +79,13 @@ impl Bench for Clock {
         for _ in 0..WARM_UP {
             scene.step(&mut cloth, &mut memory);
         }
-        let instructions = self.instructions(|| {
-            for _ in 0..COUNTED {
-                scene.step(&mut cloth, &mut memory);
-            }
-        });
+        let frames = counted(name);
+        let ticks = (0..frames).map(|_| u64::from(self.ticks(|| scene.step(&mut cloth, &mut memory)))).sum::<u64>();
         hprintln!(
             "{}; {}; {}; {}; {}; {:08x}",
             S::NAME,
             name,
-            instructions / u64::from(COUNTED),
+            ticks * self.scale / (1_000_000 * u64::from(frames)),
             size_of_val(&cloth),
             size_of_val(&memory),
             measure::digest(&cloth)

@@ -1,6 +1,6 @@
 //! What a linked program consists of: its sections, its functions and which of them call which.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -53,19 +53,21 @@ impl Image {
         self.functions.iter().map(|function| function.name.as_str())
     }
 
-    /// The names of the functions that a call of the function whose name ends with `root` may reach.
-    pub(crate) fn reached(&self, root: &str) -> BTreeSet<&str> {
+    /// The names of the functions that a call of the function whose name ends with `root` may reach, each with a way there.
+    pub(crate) fn reached(&self, root: &str) -> BTreeMap<&str, String> {
         let mut waiting: Vec<_> = self.functions.iter().filter(|function| function.name.ends_with(root)).collect();
         assert_eq!(waiting.len(), 1, "one function is called {root}");
-        let mut reached = BTreeSet::new();
+        let mut reached = BTreeMap::from([(waiting[0].name.as_str(), root.to_owned())]);
         while let Some(function) = waiting.pop() {
             assert!(!function.indirect, "{} calls through a pointer: nobody knows what", function.name);
-            if reached.insert(function.name.as_str()) {
-                let callees = function.targets.iter().map(|&target| {
-                    let callee = self.functions.iter().find(|callee| (callee.address..callee.end).contains(&target));
-                    callee.unwrap_or_else(|| panic!("{} branches to {target:#x}, no function", function.name))
-                });
-                waiting.extend(callees);
+            for &target in &function.targets {
+                let callee = self.functions.iter().find(|callee| (callee.address..callee.end).contains(&target));
+                let callee = callee.unwrap_or_else(|| panic!("{} branches to {target:#x}, no function", function.name));
+                if !reached.contains_key(callee.name.as_str()) {
+                    let way = format!("{} > {}", reached[function.name.as_str()], callee.name);
+                    reached.insert(&callee.name, way);
+                    waiting.push(callee);
+                }
             }
         }
         reached

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use kerchief::force::Force;
 use kerchief::{Cloth, Collider, Links, Scalar, Scene, Solver, measure};
 
-use crate::bench::{self, Bench, COUNTED, SIDE, WARM_UP};
+use crate::bench::{self, Bench, SIDE, WARM_UP, counted};
 use crate::figures::{self, Figure};
 use crate::firmware::Firmware;
 use crate::image::Image;
@@ -42,7 +42,7 @@ fn nothing_is_free(figures: &[Figure]) {
 }
 
 /// The instructions that the boards' clock does not tell apart.
-const TICK: u64 = 40;
+const TICK: u64 = 80;
 
 /// Every scene in every number type, counted and linked.
 fn measured() -> Vec<Figure> {
@@ -50,11 +50,11 @@ fn measured() -> Vec<Figure> {
     bench::play_all(&mut here);
     let mut numbers: Vec<_> = here.0.iter().map(|scene| scene.number).collect();
     numbers.dedup();
-    numbers.into_iter().flat_map(|number| counted(number, &here)).map(linked).collect()
+    numbers.into_iter().flat_map(|number| executed(number, &here)).map(linked).collect()
 }
 
 /// Instructions, from the boards.
-fn counted(number: &str, here: &Here) -> Vec<Figure> {
+fn executed(number: &str, here: &Here) -> Vec<Figure> {
     let machines = [M0, M3, M4F];
     let targets = machines.map(|machine| machine.target);
     let firmware =
@@ -116,7 +116,7 @@ impl Bench for Here {
         V: Solver<S>,
     {
         let mut memory = scene.memory();
-        for _ in 0..WARM_UP + COUNTED {
+        for _ in 0..WARM_UP + counted(name) {
             scene.step(&mut cloth, &mut memory);
         }
         self.0.push(Played { number: S::NAME, scene: name, digest: measure::digest(&cloth) });

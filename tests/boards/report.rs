@@ -131,10 +131,11 @@ fn page(figures: &[Figure]) -> String {
         strains.iter().map(|(number, strain)| format!("{:.2} % in {number}", 100.0 * strain)).collect();
     let _ = write!(
         text,
-        "\nThe line solver runs {} substeps of {} sweep in a sixtieth of a second; the largest strain of a stretch link at the end of any frame of the \
-         first second is {}.\n",
-        LINES.1,
+        "\nThe line solver has {} to a frame of a sixtieth of a second and sweeps at least {} times, until no row is strained by more than \
+         {} %: this is the mean of the first second, in which the largest strain of a stretch link at the end of a frame is {}.\n",
+        if LINES.1 == 1 { "one substep".to_owned() } else { format!("{} substeps", LINES.1) },
         LINES.0.sweeps,
+        100.0 * LINES.0.tolerance,
         strains.join(", ")
     );
     text += "\n## What the parts of a scene add\n\nBytes of flash (Cortex-M0) and thousands of instructions of a frame of 8 substeps. What a scene \

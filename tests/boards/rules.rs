@@ -14,8 +14,13 @@ pub(crate) fn check(image: &Image, number: &str, scene: &str) -> String {
     }
     let float = image.names().find(|name| is_float(name));
     assert_eq!(float, None, "{scene} in {number}: a fixed-point firmware has no use for floats");
-    let calls = image.reached("footprint::frame");
-    calls.into_iter().filter(|name| is_slow(name) || is_panic(name)).collect::<Vec<_>>().join(" ")
+    let mut calls = image.reached("footprint::frame");
+    calls.retain(|name, _| is_slow(name) || is_panic(name));
+    for way in calls.values() {
+        // shown where the test fails
+        println!("{scene} in {number}: {way}");
+    }
+    calls.into_keys().collect::<Vec<_>>().join(" ")
 }
 
 /// Run-time ABI for the Arm Architecture, 4.1: the floating-point helpers; and the names of their bodies.
