@@ -8,6 +8,8 @@
 
 mod fixed24;
 mod float;
+#[cfg(any(test, not(feature = "std")))]
+mod root;
 mod wide;
 
 use core::fmt::Debug;

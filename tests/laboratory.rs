@@ -114,7 +114,20 @@ fn errors_are_put_against_operations() {
     let room = room();
     let room = room.path();
     let args = ["small.toml", "--solvers", "lines,xpbd,forward-euler", "--scalars", "f32,q24", "--substeps", "2,4,8"];
-    let more = ["--sweeps", "1", "--cost", "operations", "--error", "1e-2", "--budget", "3000", "--tolerance", "1e-4"];
+    let more = [
+        "--sweeps",
+        "1",
+        "--cost",
+        "operations",
+        "--error",
+        "1e-2",
+        "--budget",
+        "3000",
+        "--reference-error",
+        "1e-4",
+        "--tolerance",
+        "0.02",
+    ];
     let said = succeeds(room, "work_precision", &[&args[..], &more].concat());
     assert!(said.starts_with("small: error 1e-2: ") && said.contains("operations"), "{said}");
     let out = room.join("out/work_precision");
@@ -122,7 +135,7 @@ fn errors_are_put_against_operations() {
     assert_eq!(names(&room.join("out/references")).len(), 1);
 
     let (head, rows) = table(&out.join("work_precision.csv"));
-    let expected = "scene solver scalar substeps sweeps error strain instructions operations additions products quotients roots \
+    let expected = "scene solver scalar substeps sweeps tolerance error strain instructions operations additions products quotients roots \
                     comparisons time_ratio";
     assert_eq!(head.join(" "), expected);
     assert_eq!(rows.len(), 18);
@@ -261,7 +274,7 @@ fn what_is_wrong_is_one_line() {
         (&["nowhere"][..], "no scene or file \"nowhere\""),
         (&["bad.toml"], "bad.toml: cloth.mass"),
         (&["tiny.toml", "--energy-scene", "nowhere"], "no scene or file \"nowhere\""),
-        (&["tiny.toml", "--energy-scene", "weightless.toml"], "weightless: environment.gravity: "),
+        (&["tiny.toml", "--energy-scene", "weightless.toml"], "small: environment.gravity: without it"),
         (&["tiny.toml", "--seconds", "-1"], "'-1'"),
         (&["tiny.toml", "--out", "small.toml/out"], "--out: small.toml/out: "),
     ] {

@@ -55,7 +55,7 @@ impl Energies {
         let mass: f64 =
             (0..sheet.rows).flat_map(|row| (0..sheet.columns).map(move |column| sheet.mass_at(column, row))).sum();
         let gravity = scene.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
-        let unit = 0.01 * mass * gravity * size(&scene);
+        let unit = 0.01 * mass * gravity * size(scene);
         let configurations: Vec<_> = usual(ScalarKind::F64, substeps)
             .map(|configuration| match configuration.solver {
                 SolverKind::Leapfrog => Configuration { substeps: LEAPFROG * substeps, ..configuration },
@@ -65,7 +65,7 @@ impl Energies {
         bar.inc_length(configurations.len() as u64);
         let course = |&configuration: &Configuration| {
             let mut moving = configuration
-                .of(&scene)
+                .of(scene)
                 .simulation(configuration.scalar)
                 .map_err(|error| format!("{}: {error}", scene.name))?;
             let start = moving.energy();
@@ -73,7 +73,8 @@ impl Energies {
             for _ in 0..frames {
                 moving.frame();
                 let change = (moving.energy() - start) / unit;
-                if !(change.abs() < LOST) {
+                let is_whole = change.abs() < LOST;
+                if !is_whole {
                     break;
                 }
                 changes.push(change);

@@ -39,7 +39,13 @@ impl Floors {
         let configurations: Vec<_> = USUAL
             .iter()
             .flat_map(|&(solver, sweeps)| {
-                let configuration = move |substeps| Configuration { solver, scalar: ScalarKind::F64, substeps, sweeps };
+                let configuration = move |substeps| Configuration {
+                    solver,
+                    scalar: ScalarKind::F64,
+                    substeps,
+                    sweeps,
+                    tolerance: None,
+                };
                 orders.substeps.iter().map(move |&substeps| configuration(substeps))
             })
             .collect();

@@ -33,5 +33,5 @@ pub(crate) fn name(solver: SolverKind, sweeps: u32) -> String {
 
 /// Solvers of [`USUAL`] in a number type.
 pub(crate) fn usual(scalar: ScalarKind, substeps: u32) -> impl Iterator<Item = Configuration> {
-    USUAL.into_iter().map(move |(solver, sweeps)| Configuration { solver, scalar, substeps, sweeps })
+    USUAL.into_iter().map(move |(solver, sweeps)| Configuration { solver, scalar, substeps, sweeps, tolerance: None })
 }

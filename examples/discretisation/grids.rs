@@ -67,7 +67,7 @@ impl Grids {
         let rows = self.rows();
         let finest = self.outcomes.last().map_or(0, |outcome| outcome.side);
         page.paragraph("## The grid");
-        self.plot(&rows).write(directory, "grids.svg")?;
+        Self::plot(&rows).write(directory, "grids.svg")?;
         page.picture("distance to the finest grid against the side of a cell", "grids.svg");
         self.pictures(directory)?;
         page.picture("the sheet at rest on four grids", "grids.png");
@@ -110,7 +110,7 @@ impl Grids {
         write_csv(directory, "grids.csv", &rows)
     }
 
-    fn plot(&self, rows: &[Row]) -> Plot<'static> {
+    fn plot(rows: &[Row]) -> Plot<'static> {
         let curve = |name: &str, colour, of: fn(&Row) -> Option<f64>| Curve {
             name: name.to_string(),
             colour,

@@ -5,14 +5,16 @@ use std::fmt;
 use kerchief::host::{Description, ScalarKind, SolverKind};
 
 /// A solver with its settings and number type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Configuration {
     pub(crate) solver: SolverKind,
     pub(crate) scalar: ScalarKind,
     /// Solver steps per frame.
     pub(crate) substeps: u32,
-    /// Relaxation sweeps (Newton steps of backward Euler) per substep; 1 where there are none.
+    /// Relaxation sweeps (pairs of them for lines, Newton steps of backward Euler) per substep; 1 where there are none.
     pub(crate) sweeps: u32,
+    /// The strain for which lines spend further sweeps; without, the scene's.
+    pub(crate) tolerance: Option<f64>,
 }
 
 impl Configuration {
@@ -20,32 +22,50 @@ impl Configuration {
     pub(crate) fn of(self, scene: &Description) -> Description {
         let mut scene = scene.clone();
         (scene.solver.kind, scene.solver.substeps, scene.solver.iterations) = (self.solver, self.substeps, self.sweeps);
+        scene.solver.tolerance = self.tolerance.unwrap_or(scene.solver.tolerance);
         scene
     }
 
     /// What it takes on a command line.
-    pub(crate) fn words(self) -> [String; 4] {
-        let Self { solver, scalar, substeps, sweeps } = self;
-        [solver.name().to_string(), scalar.name().to_string(), substeps.to_string(), sweeps.to_string()]
+    pub(crate) fn words(self) -> Vec<String> {
+        let Self { solver, scalar, substeps, sweeps, tolerance } = self;
+        let words = [solver.name().to_string(), scalar.name().to_string(), substeps.to_string(), sweeps.to_string()];
+        words.into_iter().chain(tolerance.map(|tolerance| tolerance.to_string())).collect()
     }
 
     /// What was written by [`words`](Self::words).
     pub(crate) fn from_words(words: &[String]) -> Option<Self> {
-        let [solver, scalar, substeps, sweeps] = words else { return None };
+        let [solver, scalar, substeps, sweeps, tolerance @ ..] = words else { return None };
         Some(Self {
             solver: SolverKind::from_name(solver)?,
             scalar: ScalarKind::from_name(scalar)?,
             substeps: substeps.parse().ok()?,
             sweeps: sweeps.parse().ok()?,
+            tolerance: tolerance.first().map(|tolerance| tolerance.parse()).transpose().ok()?,
         })
+    }
+
+    /// The solver and number type.
+    pub(crate) fn kind(self) -> String {
+        format!("{} {}", self.solver.name(), self.scalar.name())
+    }
+
+    /// All but the substeps.
+    pub(crate) fn group(self) -> String {
+        let sweeps = if has_sweeps(self.solver) { format!(" × {}", self.sweeps) } else { String::new() };
+        let tolerance = self.tolerance.map_or(String::new(), |tolerance| format!(" within {tolerance}"));
+        format!("{}{sweeps}{tolerance}", self.kind())
+    }
+
+    /// The substeps and what follows them.
+    pub(crate) fn settings(self) -> String {
+        format!("{}{}", self.substeps, self.group().trim_start_matches(&self.kind()))
     }
 }
 
 impl fmt::Display for Configuration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { solver, scalar, substeps, sweeps } = self;
-        write!(f, "{} {}, {substeps}", solver.name(), scalar.name())?;
-        if has_sweeps(*solver) { write!(f, " × {sweeps}") } else { Ok(()) }
+        write!(f, "{}, {}", self.kind(), self.settings())
     }
 }
 
@@ -65,21 +85,31 @@ pub(crate) struct Choice {
     pub(crate) substeps: Vec<u32>,
     /// The same for every solver that has sweeps; what is usual for each where there are none.
     pub(crate) sweeps: Vec<u32>,
+    /// For lines.
+    pub(crate) tolerances: Vec<f64>,
     /// The most sweeps in a frame; a Newton step counts as [`NEWTON`] of them.
     pub(crate) work: u32,
 }
 
 impl Choice {
-    /// All of them, those of a solver and its sweeps one after the other.
+    /// All of them, those that differ in substeps alone one after the other.
     pub(crate) fn configurations(&self) -> Vec<Configuration> {
         let mut all = Vec::new();
         for &solver in &self.solvers {
+            let mut kinds = Vec::new();
             for &sweeps in self.sweeps(solver) {
-                for &scalar in &self.scalars {
-                    let work = sweeps.saturating_mul(if solver == SolverKind::BackwardEuler { NEWTON } else { 1 });
-                    let substeps = self.substeps.iter().filter(|&&substeps| substeps.saturating_mul(work) <= self.work);
-                    all.extend(substeps.map(|&substeps| Configuration { solver, scalar, substeps, sweeps }));
+                if solver == SolverKind::Lines {
+                    kinds.extend(self.tolerances.iter().map(|&tolerance| (sweeps, Some(tolerance))));
+                } else {
+                    kinds.push((sweeps, None));
                 }
+            }
+            for ((sweeps, tolerance), &scalar) in
+                kinds.iter().flat_map(|&kind| self.scalars.iter().map(move |s| (kind, s)))
+            {
+                let work = sweeps.saturating_mul(if solver == SolverKind::BackwardEuler { NEWTON } else { 1 });
+                let substeps = self.substeps.iter().filter(|&&substeps| substeps.saturating_mul(work) <= self.work);
+                all.extend(substeps.map(|&substeps| Configuration { solver, scalar, substeps, sweeps, tolerance }));
             }
         }
         all
@@ -91,7 +121,7 @@ impl Choice {
             _ if !self.sweeps.is_empty() => &self.sweeps,
             SolverKind::Verlet => &[1, 4, 16],
             SolverKind::BackwardEuler => &[1, 2],
-            _ => &[1, 2, 4],
+            _ => &[1],
         }
     }
 }

@@ -42,13 +42,13 @@ impl Measurement {
             let strains = moving.strains();
             let strain = strains.stretch.unwrap_or(strains.all).largest;
             seen.strain = seen.strain.max(strain);
-            let mut is_lost = !moving.is_finite() || !(strain < TORN);
+            let mut is_whole = moving.is_finite() && strain < TORN;
             if let Some(reference) = reference {
                 let square = mean_square(&moving.still().positions, &reference[frame as usize]);
                 squares += square;
-                is_lost |= !(square.sqrt() < LOST * size(scene));
+                is_whole &= square.sqrt() < LOST * size(scene);
             }
-            if is_lost {
+            if !is_whole {
                 let error = seen.error.map(|_| f64::INFINITY);
                 return Ok(Self { error, strain: f64::INFINITY, ..seen });
             }

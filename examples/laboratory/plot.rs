@@ -95,7 +95,7 @@ impl Axis<'_> {
     }
 
     /// From the smallest to the largest value that is drawn, a little more than that.
-    fn range(&self, values: impl Iterator<Item = f64>) -> Range<f64> {
+    fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
         if low > high {
             return 0.0..1.0;
@@ -128,7 +128,7 @@ struct Ticks<'a> {
 }
 
 impl Ticks<'_> {
-    fn over<'a>(axis: Axis<'a>, range: Range<f64>) -> Ticks<'a> {
+    fn over(axis: Axis<'_>, range: Range<f64>) -> Ticks<'_> {
         Ticks { axis, range: range.into() }
     }
 }
@@ -184,7 +184,7 @@ impl Plot<'_> {
         let [x, y] = self.axes;
         let placed: Vec<Vec<Vec<(f64, f64)>>> = self.curves.iter().map(|curve| self.pieces(curve)).collect();
         let all = || placed.iter().flatten().flatten();
-        let (across, up) = (x.range(all().map(|p| p.0)), y.range(all().map(|p| p.1)));
+        let (across, up) = (Axis::range(all().map(|p| p.0)), Axis::range(all().map(|p| p.1)));
 
         let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
         root.fill(&WHITE)?;

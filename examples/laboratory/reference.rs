@@ -76,7 +76,7 @@ impl Reference {
         let mut difference = f64::INFINITY;
         while substeps <= MOST {
             let (solver, scalar) = (SolverKind::Leapfrog, ScalarKind::F64);
-            let leapfrog = Configuration { solver, scalar, substeps, sweeps: 1 };
+            let leapfrog = Configuration { solver, scalar, substeps, sweeps: 1, tolerance: None };
             let fine = record(start, scene, leapfrog, frames).map_err(|error| error.to_string())?;
             if let (Some(fine), Some(coarse)) = (&fine, &coarse) {
                 let distance = rms(fine, coarse) / size;
@@ -136,7 +136,8 @@ pub(crate) fn record(
         moving.frame();
         let now = moving.still().positions;
         // Undefined is not near either.
-        if !(mean_square(&now, &first).sqrt() < furthest) {
+        let is_near = mean_square(&now, &first).sqrt() < furthest;
+        if !is_near {
             return Ok(None);
         }
         positions.push(now);

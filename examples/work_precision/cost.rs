@@ -83,7 +83,7 @@ impl Exchange {
     pub(crate) fn instructions(&self, substeps: u32, operations: f64) -> f64 {
         let place = |&(anchor, rate): &(u32, f64)| (f64::from(anchor).ln(), rate.ln());
         let at = f64::from(substeps).ln();
-        let below = self.0.iter().map(place).filter(|(anchor, _)| *anchor <= at).last();
+        let below = self.0.iter().map(place).rfind(|(anchor, _)| *anchor <= at);
         let above = self.0.iter().map(place).find(|(anchor, _)| *anchor > at);
         let rate = match (below, above) {
             (Some((left, low)), Some((right, high))) => low + (high - low) * (at - left) / (right - left),
@@ -101,26 +101,18 @@ impl Exchange {
     }
 }
 
-/// What all configurations of a solver, number type and number of sweeps have in common.
-pub(crate) type Group = (&'static str, &'static str, u32);
-
-/// The group of a configuration.
-pub(crate) fn group(configuration: Configuration) -> Group {
-    (configuration.solver.name(), configuration.scalar.name(), configuration.sweeps)
-}
-
-/// Instructions per operation for every group, by callgrind. Without a counting sheet for the scene the substeps stand for operations.
+/// Instructions per operation for every group of configurations that differ in substeps alone, by callgrind. Without a counting sheet for the scene the substeps stand for operations.
 pub(crate) fn exchanges(
     text: &str,
     scene: &Description,
     configurations: &[Configuration],
     bar: &ProgressBar,
-) -> Result<BTreeMap<Group, Exchange>, String> {
+) -> Result<BTreeMap<String, Exchange>, String> {
     let mut anchors: Vec<Configuration> = Vec::new();
     for anchor in ANCHORS {
-        let mut nearest: BTreeMap<Group, Configuration> = BTreeMap::new();
+        let mut nearest: BTreeMap<String, Configuration> = BTreeMap::new();
         for &configuration in configurations {
-            let best = nearest.entry(group(configuration)).or_insert(configuration);
+            let best = nearest.entry(configuration.group()).or_insert(configuration);
             if configuration.substeps.abs_diff(anchor) < best.substeps.abs_diff(anchor) {
                 *best = configuration;
             }
@@ -141,11 +133,11 @@ pub(crate) fn exchanges(
         Ok::<_, String>((configuration, instructions / operations))
     };
     let rates: Vec<_> = anchors.par_iter().map(rate).collect::<Result<_, _>>()?;
-    let mut exchanges: BTreeMap<Group, Exchange> = BTreeMap::new();
+    let mut exchanges: BTreeMap<String, Exchange> = BTreeMap::new();
     // anchors ascend
     for (configuration, rate) in rates {
         exchanges
-            .entry(group(configuration))
+            .entry(configuration.group())
             .or_insert_with(|| Exchange(Vec::new()))
             .0
             .push((configuration.substeps, rate));

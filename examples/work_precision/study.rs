@@ -44,7 +44,7 @@ pub(crate) struct Study {
     pub(crate) points: Vec<Point>,
     /// By how much instructions per operation differ with the number of substeps, as a part of them, the largest for each solver and number
     /// type; without callgrind nothing.
-    pub(crate) spread: Option<BTreeMap<[&'static str; 2], f64>>,
+    pub(crate) spread: Option<BTreeMap<String, f64>>,
 }
 
 impl Subject {
@@ -76,16 +76,16 @@ impl Subject {
         let in_scene = |reason: &dyn std::fmt::Display| format!("{}: {reason}", self.scene.name);
         let configurations = choice.configurations();
         bar.inc_length(configurations.len() as u64 + 1);
-        let reference = self.tolerance.map(|tolerance| {
-            Reference::of(lean::moving, &self.text, &self.scene, self.frames, tolerance, cache)
-                .map_err(|error| in_scene(&error))
-        });
-        let reference = reference.transpose()?;
-        bar.inc(1);
-        let exchanges = match callgrind {
-            true => Some(cost::exchanges(&self.text, &self.scene, &configurations, bar)?),
-            false => None,
+        let reference = || {
+            let solve = |tolerance| Reference::of(lean::moving, &self.text, &self.scene, self.frames, tolerance, cache);
+            let reference = self.tolerance.map(solve).transpose().map_err(|error| in_scene(&error));
+            bar.inc(1);
+            reference
         };
+        let exchanges =
+            || callgrind.then(|| cost::exchanges(&self.text, &self.scene, &configurations, bar)).transpose();
+        let (reference, exchanges) = rayon::join(reference, exchanges);
+        let (reference, exchanges) = (reference?, exchanges?);
         let point = |&configuration: &Configuration| {
             let positions = reference.as_ref().map(|reference| &reference.positions);
             let seen = Measurement::of(lean::moving, &self.scene, configuration, self.frames, positions)
@@ -93,7 +93,7 @@ impl Subject {
             let is_whole = seen.strain.is_finite();
             let operations = is_whole.then(|| cost::operations(&self.scene, configuration, self.frames)).flatten();
             let units = operations.map_or(f64::from(configuration.substeps), PerParticle::total);
-            let exchange = exchanges.as_ref().and_then(|exchanges| exchanges.get(&cost::group(configuration)));
+            let exchange = exchanges.as_ref().and_then(|exchanges| exchanges.get(&configuration.group()));
             let instructions =
                 exchange.filter(|_| is_whole).map(|rate| rate.instructions(configuration.substeps, units));
             bar.inc(1);
@@ -107,9 +107,10 @@ impl Subject {
         }
         let spread = exchanges.map(|exchanges| {
             let mut spread = BTreeMap::new();
-            for ((solver, scalar, _), exchange) in &exchanges {
-                let largest: &mut f64 = spread.entry([*solver, *scalar]).or_default();
-                *largest = largest.max(exchange.spread());
+            for configuration in &configurations {
+                let largest: &mut f64 = spread.entry(configuration.kind()).or_default();
+                *largest =
+                    exchanges.get(&configuration.group()).map_or(*largest, |exchange| largest.max(exchange.spread()));
             }
             spread
         });
@@ -132,6 +133,7 @@ pub(crate) struct Row<'a> {
     scalar: &'static str,
     substeps: u32,
     sweeps: u32,
+    tolerance: Option<f64>,
     error: Option<String>,
     strain: String,
     instructions: Option<f64>,
@@ -149,7 +151,7 @@ impl Study {
     pub(crate) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         let number = |value: f64| if value.is_finite() { format!("{value:e}") } else { "diverged".to_string() };
         self.points.iter().map(move |point| {
-            let Configuration { solver, scalar, substeps, sweeps } = point.configuration;
+            let Configuration { solver, scalar, substeps, sweeps, tolerance } = point.configuration;
             let count =
                 |of: fn(PerParticle) -> f64| point.operations.map(of).map(|count| (count * 10.0).round() / 10.0);
             Row {
@@ -158,6 +160,7 @@ impl Study {
                 scalar: scalar.name(),
                 substeps,
                 sweeps,
+                tolerance,
                 error: point.seen.error.map(number),
                 strain: number(point.seen.strain),
                 instructions: point.instructions.map(f64::round),

@@ -99,6 +99,9 @@ impl Study {
     pub(crate) fn report(&self, wishes: &Wishes, page: &mut Page, directory: &Path) -> Result<(), String> {
         let scene = &self.subject.scene;
         page.paragraph(&format!("## {}", scene.name));
+        if let Some(words) = self.subject.text.lines().next().and_then(|line| line.strip_prefix("# ")) {
+            page.paragraph(words);
+        }
         page.paragraph(&self.basis());
         for (quality, points) in self.qualities() {
             let file = format!("{}-{}.svg", scene.name, quality.name());
@@ -134,9 +137,7 @@ impl Study {
         let spread = self.spread.as_ref().map_or(String::new(), |spread| {
             let (steady, others): (Vec<_>, Vec<_>) = spread.iter().partition(|(_, spread)| **spread <= STEADY);
             let most = steady.iter().map(|(_, spread)| **spread).fold(0.0, f64::max);
-            let words = |([solver, scalar], spread): &(&[&str; 2], &f64)| {
-                format!("{solver} {scalar} by {:.0} %", 100.0 * **spread)
-            };
+            let words = |(kind, spread): &(&String, &f64)| format!("{kind} by {:.0} %", 100.0 * **spread);
             let others: Vec<_> = others.iter().map(words).collect();
             let but = if others.is_empty() { String::new() } else { format!("; but {}", others.join(", ")) };
             format!(
@@ -158,8 +159,7 @@ impl Study {
             let own = self.own(points, solver, scalar);
             let cell = |found: Option<usize>| {
                 let words = |index: usize| {
-                    let Configuration { substeps, sweeps, .. } = self.points[index].configuration;
-                    format!("{} ({substeps} × {sweeps})", thousands(points[index].0))
+                    format!("{} ({})", thousands(points[index].0), self.points[index].configuration.settings())
                 };
                 found.map_or("–".to_string(), words)
             };
@@ -169,7 +169,10 @@ impl Study {
             row.push(best.map_or("–".to_string(), |index| format!("{} at {}", scientific(own[index].1), cell(best))));
             rows.push(row);
         }
-        page.paragraph(&format!("Thousand {} per particle and frame (substeps × sweeps):", self.unit()));
+        page.paragraph(&format!(
+            "Thousand {} per particle and frame (substeps × sweeps; within the strain for which lines sweep again):",
+            self.unit()
+        ));
         page.table(&head, rows);
     }
 
@@ -194,14 +197,13 @@ impl Study {
     fn diverged(&self) -> Option<String> {
         let mut groups: BTreeMap<String, Vec<(u32, bool)>> = BTreeMap::new();
         for point in &self.points {
-            let Configuration { solver, scalar, substeps, sweeps } = point.configuration;
-            let group = format!("{} {} × {sweeps}", solver.name(), scalar.name());
-            groups.entry(group).or_default().push((substeps, point.seen.strain.is_infinite()));
+            let Configuration { substeps, .. } = point.configuration;
+            let group = groups.entry(point.configuration.group()).or_default();
+            group.push((substeps, point.seen.strain.is_infinite()));
         }
         let lost = groups.iter().filter(|(_, runs)| runs.iter().any(|(_, lost)| *lost));
         let all: Vec<_> = lost.map(|(group, runs)| format!("{group} at {}", stretches(runs))).collect();
-        (!all.is_empty())
-            .then(|| format!("Diverged (solver, number type × sweeps, at so many substeps): {}.", all.join("; ")))
+        (!all.is_empty()).then(|| format!("Diverged (at so many substeps): {}.", all.join("; ")))
     }
 
     fn plot(&self, quality: Quality, points: &[(f64, f64)]) -> Plot<'_> {

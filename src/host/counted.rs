@@ -141,7 +141,7 @@ impl SubAssign for Counted {
 /// What `f32` does in [`Scalar::elongation`] and [`Scalar::gauge`]: a floor, a root, a quotient and a difference.
 const GAUGE: Operations = Operations { additions: 1, quotients: 1, roots: 1, comparisons: 1, ..Operations::NONE };
 
-fn plain(rest: &Rest<Counted>) -> Rest<f32> {
+fn plain(rest: Rest<Counted>) -> Rest<f32> {
     Rest { length: rest.length.0, inverse_square: rest.inverse_square.0 }
 }
 
@@ -217,7 +217,7 @@ impl Scalar for Counted {
     #[inline]
     fn elongation(squares: Self, rest: &Rest<Self>) -> Self {
         Self::did(GAUGE);
-        Self(f32::elongation(squares.0, &plain(rest)))
+        Self(f32::elongation(squares.0, &plain(*rest)))
     }
     #[inline]
     fn round_times(self, factor: i32) -> i32 {
@@ -227,7 +227,7 @@ impl Scalar for Counted {
     #[inline]
     fn gauge(squares: Self, rest: &Rest<Self>) -> (Self, Self) {
         Self::did(GAUGE);
-        let (longer, unit) = f32::gauge(squares.0, &plain(rest));
+        let (longer, unit) = f32::gauge(squares.0, &plain(*rest));
         (Self(longer), Self(unit))
     }
     #[inline]

@@ -110,7 +110,8 @@ macro_rules! float {
 // Both square roots are correctly rounded: the same bits, but the standard library's is one instruction on a host.
 #[cfg(not(feature = "std"))]
 mod root {
-    pub(super) use libm::{sqrt as f64, sqrtf as f32};
+    pub(super) use crate::scalar::root::root as f32;
+    pub(super) use libm::sqrt as f64;
 }
 #[cfg(feature = "std")]
 mod root {

@@ -4,6 +4,8 @@
 
 mod sheet;
 
+use std::fmt::Write;
+
 use sheet::{Hold, Sheet};
 
 /// A setting of the line solver in `f32` and what it has to reach in 2 s.
@@ -46,7 +48,8 @@ fn assert_goals(sheet: &Sheet) {
         let found = sheet.run(substeps, tolerance, &reference);
         let within = found.error <= error && found.strain <= strain && found.operations <= operations;
         if !within {
-            missed += &format!(
+            let _ = write!(
+                missed,
                 "\n{substeps} substeps within {tolerance}: at most {error:.1e}, {strain:.1e}, {operations:.0}, found {found:?}"
             );
         }

@@ -96,7 +96,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         let first = self.first;
         match tension {
             [falling, rising, ..] if ACROSS > 0 && DOWN > 0 => {
-                pairs.diagonals::<ACROSS, DOWN, START, W, H>(self.cloth, Some([falling, rising]), warm)
+                pairs.diagonals::<ACROSS, DOWN, START, W, H>(self.cloth, Some([falling, rising]), warm);
             }
             [tension, ..] if DOWN == 0 => pairs.row::<ACROSS, START, W, H>(self.cloth, Some(tension), warm),
             [tension, ..] if ACROSS == 0 => pairs.column::<DOWN, START, W, H>(self.cloth, Some(tension), warm),
