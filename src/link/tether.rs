@@ -20,7 +20,7 @@ pub struct Tether<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Tether<S, N> {
-    /// Tethers to `anchors`, each `1 + slack` times as long as the distance at rest.
+    /// Tethers to `anchors`, each `1 + slack` times as long as the distance at rest. An anchor that a sheet does not have holds nothing.
     ///
     /// # Errors
     /// Gives back the anchors if there are more than `N`.
@@ -33,6 +33,9 @@ impl<S: Scalar, const N: usize> Tether<S, N> {
 impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
     fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
         for &anchor in &self.anchors {
+            if anchor.column >= W || anchor.row >= H {
+                continue;
+            }
             let pin = cloth.position.at(anchor);
             for node in Grid::<S, W, H>::nodes() {
                 if cloth.is_pinned(node) {
