@@ -153,6 +153,8 @@ pub trait Scalar:
 pub struct Rest<S> {
     /// The length, cells.
     pub length: S,
+    /// `1/length`.
+    pub inverse: S,
     /// `1/length²`.
     pub inverse_square: S,
 }
@@ -161,6 +163,7 @@ impl<S: Scalar> Rest<S> {
     /// The rest length of a link that spans `across` and `down` (cells).
     pub fn spanning(across: S, down: S) -> Self {
         let square = across.product(across) + down.product(down);
-        Self { length: S::root(square), inverse_square: S::narrow(square).recip() }
+        let length = S::root(square);
+        Self { length, inverse: length.recip(), inverse_square: S::narrow(square).recip() }
     }
 }

@@ -74,8 +74,15 @@ pub(crate) const fn has_sweeps(solver: SolverKind) -> bool {
     matches!(solver, SolverKind::Verlet | SolverKind::BackwardEuler | SolverKind::Lines)
 }
 
-/// Sweeps that cost about as much as a Newton step with its conjugate gradients.
-const NEWTON: u32 = 32;
+/// How many plain sweeps are about as much work as one of a solver's: its pair of sweeps with further ones for lines, a Newton step with
+/// its conjugate gradients for backward Euler.
+const fn weight(solver: SolverKind) -> u32 {
+    match solver {
+        SolverKind::Lines => 4,
+        SolverKind::BackwardEuler => 64,
+        _ => 1,
+    }
+}
 
 /// Which configurations are compared.
 #[derive(Clone, Debug)]
@@ -87,7 +94,7 @@ pub(crate) struct Choice {
     pub(crate) sweeps: Vec<u32>,
     /// For lines.
     pub(crate) tolerances: Vec<f64>,
-    /// The most sweeps in a frame; a Newton step counts as [`NEWTON`] of them.
+    /// The most sweeps in a frame; see [`weight`].
     pub(crate) work: u32,
 }
 
@@ -107,7 +114,7 @@ impl Choice {
             for ((sweeps, tolerance), &scalar) in
                 kinds.iter().flat_map(|&kind| self.scalars.iter().map(move |s| (kind, s)))
             {
-                let work = sweeps.saturating_mul(if solver == SolverKind::BackwardEuler { NEWTON } else { 1 });
+                let work = sweeps.saturating_mul(weight(solver));
                 let substeps = self.substeps.iter().filter(|&&substeps| substeps.saturating_mul(work) <= self.work);
                 all.extend(substeps.map(|&substeps| Configuration { solver, scalar, substeps, sweeps, tolerance }));
             }

@@ -39,7 +39,7 @@ struct Args {
     scalars: Vec<ScalarKind>,
     /// Solver steps per frame
     #[arg(long, value_name = "N,…", value_delimiter = ',', value_parser = value_parser!(u32).range(1..=i64::from(MOST)),
-        default_values_t = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256])]
+        default_values_t = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64, 128, 256])]
     substeps: Vec<u32>,
     /// Sweeps per substep, of every solver that has them; without, what is usual for each
     #[arg(long, value_name = "N,…", value_delimiter = ',', value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
@@ -47,7 +47,7 @@ struct Args {
     /// Strains of a row for which the line solver sweeps again
     #[arg(long = "tolerance", value_name = "X,…", value_delimiter = ',', default_values_t = [0.1, 0.02, 0.005, 0.001], value_parser = positive)]
     tolerances: Vec<f64>,
-    /// The most substeps × sweeps in a frame, a Newton step counting as 32; what has more is left out. Without, 256 in runs of 20 frames and
+    /// The most substeps × sweeps in a frame, a sweep of lines counting as 4 and a Newton step as 64; what has more is left out. Without, 256 in runs of 20 frames and
     /// accordingly fewer in longer ones
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     work: Option<u32>,

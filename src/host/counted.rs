@@ -142,7 +142,7 @@ impl SubAssign for Counted {
 const GAUGE: Operations = Operations { additions: 1, quotients: 1, roots: 1, comparisons: 1, ..Operations::NONE };
 
 fn plain(rest: Rest<Counted>) -> Rest<f32> {
-    Rest { length: rest.length.0, inverse_square: rest.inverse_square.0 }
+    Rest { length: rest.length.0, inverse: rest.inverse.0, inverse_square: rest.inverse_square.0 }
 }
 
 impl Scalar for Counted {

@@ -271,7 +271,7 @@ struct Stiffness<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Stiffness<'_, S, W, H> {
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let stiffness = self.system.stiffness(family);
-        let inverse_length = family.rest.length * family.rest.inverse_square;
+        let inverse_length = family.rest.inverse;
         each::<ACROSS, DOWN, W, H>(|a, b| {
             let d = self.cloth.position.at(b) - self.cloth.position.at(a);
             let elongation = S::elongation(d.squared(), &family.rest);

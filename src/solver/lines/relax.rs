@@ -82,7 +82,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         match DOWN {
             0 => {
                 let worst = chain.rows(self.cloth, tension);
-                self.met = self.met.max(worst * (family.rest.length * family.rest.inverse_square));
+                self.met = self.met.max(worst * family.rest.inverse);
             }
             _ => chain.columns(self.cloth, tension),
         }
