@@ -24,7 +24,11 @@ impl Moment {
     /// The velocity that belongs to a displacement within the substep.
     #[inline]
     pub fn velocity<S: Scalar>(self, displacement: Vec3<S>) -> Vec3<S> {
-        displacement.map(|component| component.rate(self.halves, self.shift))
+        match self.halves {
+            // the same number, by a shift alone
+            2 => displacement.double(self.shift),
+            halves => displacement.map(|component| component.rate(halves, self.shift)),
+        }
     }
 
     /// The displacement in the substep with a velocity.

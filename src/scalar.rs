@@ -8,7 +8,7 @@
 
 mod fixed24;
 mod float;
-#[cfg(any(test, not(feature = "std")))]
+#[cfg(any(test, all(not(feature = "std"), target_abi = "eabihf")))]
 mod root;
 mod wide;
 

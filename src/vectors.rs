@@ -87,3 +87,21 @@ impl<S: Scalar, const W: usize> Vec3<[S; W]> {
         Self { x: change(&self.x), y: change(&self.y), z: change(&self.z) }
     }
 }
+
+/// Each column has what was `BY < W` columns to its right; the first come last.
+#[inline(always)]
+pub(crate) fn left<const BY: usize, S: Scalar, const W: usize>(row: &[S; W]) -> [S; W] {
+    let mut shifted = *row;
+    shifted[..W - BY].copy_from_slice(&row[BY..]);
+    shifted[W - BY..].copy_from_slice(&row[..BY]);
+    shifted
+}
+
+/// Each column has what was `BY < W` columns to its left; the last come first.
+#[inline(always)]
+pub(crate) fn right<const BY: usize, S: Scalar, const W: usize>(row: &[S; W]) -> [S; W] {
+    let mut shifted = *row;
+    shifted[BY..].copy_from_slice(&row[..W - BY]);
+    shifted[..BY].copy_from_slice(&row[W - BY..]);
+    shifted
+}

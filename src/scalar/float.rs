@@ -107,11 +107,15 @@ macro_rules! float {
     };
 }
 
-// Both square roots are correctly rounded: the same bits, but the standard library's is one instruction on a host.
+// All square roots are correctly rounded: the same bits, but the standard library's is one instruction on a host, and libm's the shortest where floats are
+// software.
 #[cfg(not(feature = "std"))]
 mod root {
+    #[cfg(target_abi = "eabihf")]
     pub(super) use crate::scalar::root::root as f32;
     pub(super) use libm::sqrt as f64;
+    #[cfg(not(target_abi = "eabihf"))]
+    pub(super) use libm::sqrtf as f32;
 }
 #[cfg(feature = "std")]
 mod root {

@@ -11,7 +11,7 @@
 //! **In space** a sweep relaxes the other families, then solves all rows, then all columns ([`chain`]), and moves particles out of colliders. Rows and columns
 //! pull each other out of shape, so sweeps go on until a row is met whose links are within the tolerance: where the sheet swings two are enough, where it
 //! snaps taut more are spent. The multipliers of rows and columns start from nothing: on a stiff sheet a part of the last ones does not die away, and shakes it.
-//! Those of the other families, which are softer, start from a part of the last ones, which is worth a sweep.
+//! Those of other families start from a part of the last ones where they are soft, which is worth a sweep.
 
 mod chain;
 mod damp;
@@ -79,8 +79,9 @@ impl<const N: usize> Default for Lines<N> {
     }
 }
 
-/// The part of their last multipliers from which links other than rows and columns start. A larger part is more accurate where a sheet swings, and 1.0 shakes a
-/// stiff one.
+/// The part of their last multipliers from which links other than rows and columns start, where they are softer than inertia (κ = k·h²/m ≤ 1). A larger part
+/// is more accurate where a sheet swings, and shakes a stiff one. What a stiffer family's multipliers have that moves nothing does not die away from substep to
+/// substep, and tears a sheet of 32 × 32 apart whose diagonals are as stiff as its rows.
 const WARM: f64 = 0.8;
 
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.

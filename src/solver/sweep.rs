@@ -33,17 +33,19 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W,
         } else {
             family.strength.scaled(S::from_int(self.parts as i32).recip())
         };
-        // nearly all links join two ordinary particles: their quotient is formed once
-        let two = S::ONE + S::ONE;
-        let ordinary = strength.against(two);
+        // nearly all links join two ordinary particles: their quotient is formed once, and their masses need no product
+        let ordinary = strength.against(S::ONE + S::ONE);
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let inverse_mass = self.cloth.inverse_mass[a] + self.cloth.inverse_mass[b];
-            if inverse_mass == S::ZERO {
-                return;
-            }
-            let part = if inverse_mass == two { ordinary } else { strength.against(inverse_mass) };
+            let [wa, wb] = [self.cloth.inverse_mass[a], self.cloth.inverse_mass[b]];
             let d = self.cloth.position.at(b) - self.cloth.position.at(a);
-            self.cloth.pull(a, b, d * (S::elongation(d.squared(), &family.rest) * part), self.moment);
+            let elongation = S::elongation(d.squared(), &family.rest);
+            if wa == S::ONE && wb == S::ONE {
+                let by = d * (elongation * ordinary);
+                self.cloth.displace(a, by, self.moment);
+                self.cloth.displace(b, -by, self.moment);
+            } else if wa + wb != S::ZERO {
+                self.cloth.pull(a, b, d * (elongation * strength.against(wa + wb)), self.moment);
+            }
         });
     }
 }

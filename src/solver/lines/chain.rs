@@ -17,6 +17,7 @@ use crate::link::Quotient;
 use crate::moment::Moment;
 use crate::scalar::{Rest, Scalar};
 use crate::vec3::Vec3;
+use crate::vectors;
 
 use super::{displace, displace_row};
 
@@ -74,8 +75,8 @@ impl<S: Scalar> Chain<'_, S> {
         let mut normal = Vec3::row(Vec3::ZERO);
         let [mut residual, mut diagonal, mut coupling, mut change] = [[S::ZERO; W]; 4];
         let mut worst = S::ZERO;
-        let next = x.components(super::pairs::left::<1, S, W>);
-        let w_next = super::pairs::left::<1, S, W>(&w);
+        let next = x.components(vectors::left::<1, S, W>);
+        let w_next = vectors::left::<1, S, W>(&w);
         for k in 0..W {
             let d = next.at(k) - x.at(k);
             let (excess, inverse) = S::gauge(d.squared(), self.rest);
@@ -88,7 +89,7 @@ impl<S: Scalar> Chain<'_, S> {
             worst = worst.max(residual[k].abs());
         }
         // of each link with the one after it
-        let normal_next = normal.components(super::pairs::left::<1, S, W>);
+        let normal_next = normal.components(vectors::left::<1, S, W>);
         for k in 0..W {
             coupling[k] = w_next[k] * normal.at(k).dot(normal_next.at(k));
         }
@@ -136,7 +137,7 @@ impl<S: Scalar> Chain<'_, S> {
             tension[k] += change[k];
             pull.set(k, normal.at(k) * (change[k] * dividend));
         }
-        let before = pull.components(super::pairs::right::<1, S, W>);
+        let before = pull.components(vectors::right::<1, S, W>);
         let w = cloth.inverse_mass.0[row];
         displace_row(cloth, row, |k| (pull.at(k) - before.at(k)) * w[k], self.moment);
         worst

@@ -10,6 +10,7 @@ use crate::link::{Family, Quotient};
 use crate::moment::Moment;
 use crate::scalar::{Rest, Scalar};
 use crate::vec3::Vec3;
+use crate::vectors::{left, right};
 
 use super::displace_row;
 
@@ -160,24 +161,6 @@ impl<'a, S: Scalar> Pairs<'a, S> {
         }
         pull
     }
-}
-
-/// Each column has what was `BY < W` columns to its right; the first come last.
-#[inline(always)]
-pub(super) fn left<const BY: usize, S: Scalar, const W: usize>(row: &[S; W]) -> [S; W] {
-    let mut shifted = *row;
-    shifted.copy_within(BY.., 0);
-    shifted[W - BY..].copy_from_slice(&row[..BY]);
-    shifted
-}
-
-/// Each column has what was `BY < W` columns to its left; the last come first.
-#[inline(always)]
-pub(super) fn right<const BY: usize, S: Scalar, const W: usize>(row: &[S; W]) -> [S; W] {
-    let mut shifted = *row;
-    shifted.copy_within(..W - BY, BY);
-    shifted[..BY].copy_from_slice(&row[W - BY..]);
-    shifted
 }
 
 /// Nothing in the last `BY < W` columns.

@@ -117,11 +117,12 @@ fn ahead<S: Scalar, const W: usize, const H: usize, const N: usize>(
     moment: Moment,
 ) -> [Vec3<[S; W]>; 2] {
     let [mut position, mut velocity] = [cloth.position.0[row], cloth.velocity.0[row]];
+    let earlier = if start { velocity } else { memory.earlier.0[row] };
     for column in 0..W {
         let v = velocity.at(column);
         // a pin has the velocity that it was given, from one substep to the next
         let held = cloth.inverse_mass.0[row][column] == S::ZERO;
-        let change = if start || held { Vec3::ZERO } else { v - memory.earlier.0[row].at(column) };
+        let change = Vec3::ZERO.or(v - earlier.at(column), held);
         velocity.set(column, v + change);
         position.add(column, moment.displacement(v + change.halve(1)));
     }

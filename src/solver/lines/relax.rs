@@ -89,8 +89,10 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
     }
 
     fn others<const ACROSS: usize, const DOWN: usize, const START: bool>(&mut self, family: &Family<S>, slot: usize) {
-        let pairs = Pairs::new(family, family.strength.scaled(self.softness), self.moment);
-        let warm = S::from_f64(WARM);
+        let strength = family.strength.scaled(self.softness);
+        let pairs = Pairs::new(family, strength, self.moment);
+        let soft = strength.divisor >= strength.dividend;
+        let warm = if soft { S::from_f64(WARM) } else { S::ZERO };
         let tension = self.tension.get_mut(slot..).unwrap_or(&mut []);
         // without a memory a second time would count twice
         let first = self.first;
