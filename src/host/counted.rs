@@ -277,7 +277,7 @@ mod tests {
     use crate::host::{Description, Everything, ScalarKind, SolverKind};
 
     /// Everything that a scene can name.
-    const SCENE: &str = r#"
+    const SCENE: &str = "
         [cloth]
         columns = 4
         rows = 4
@@ -305,7 +305,7 @@ mod tests {
         step = 0.02
         substeps = 4
         strain_limit = 0.05
-    "#;
+    ";
 
     #[test]
     fn counting_changes_no_bit() {

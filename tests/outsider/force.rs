@@ -42,7 +42,7 @@ fn particles_return_after_a_period<S: Scalar>(bound: f64) {
             scene.step(&mut cloth, &mut memory);
         }
         for (now, then) in cloth.position.values().zip(start.position.values()) {
-            let [now, then] = [now, then].map(|x| x.to_f64());
+            let [now, then] = [now, then].map(Vec3::to_f64);
             (0..3).for_each(|k| worst = worst.max((now[k] - sign * then[k]).abs()));
         }
     }
