@@ -8,7 +8,7 @@ mod plane;
 mod sphere;
 
 use crate::cloth::Cloth;
-use crate::grid::Grid;
+use crate::grid::Node;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
@@ -25,6 +25,13 @@ pub trait Collider<S: Scalar> {
     /// By how much a particle at `position`, `moved` so far in this substep, has to move; `None` where it may stay.
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>>;
 
+    /// Whether a particle somewhere between the corners `low` and `high` of a box may have to move: whole rows are skipped by it. Never false where
+    /// [`contact`](Self::contact) would be something.
+    #[inline]
+    fn reaches(&self, _moment: Moment, _low: Vec3<S>, _high: Vec3<S>) -> bool {
+        true
+    }
+
     /// Moves the collider on to `end`, the end of a frame.
     #[inline]
     fn advance(&mut self, _end: Moment) {}
@@ -40,15 +47,29 @@ pub(crate) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>
     if !C::PRESENT {
         return;
     }
-    for node in Grid::<S, W, H>::nodes() {
-        if cloth.is_pinned(node) {
+    for row in 0..H {
+        let [low, high] = bounds(&cloth.position.0[row]);
+        if !colliders.reaches(moment, low, high) {
             continue;
         }
-        let moved = moment.displacement(cloth.velocity.at(node));
-        if let Some(by) = colliders.contact(moment, cloth.position.at(node), moved) {
-            cloth.displace(node, by, moment);
+        for column in 0..W {
+            let node = Node { column, row };
+            if cloth.is_pinned(node) {
+                continue;
+            }
+            let moved = moment.displacement(cloth.velocity.at(node));
+            if let Some(by) = colliders.contact(moment, cloth.position.at(node), moved) {
+                cloth.displace(node, by, moment);
+            }
         }
     }
+}
+
+/// The corners of a row's box.
+#[inline]
+fn bounds<S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> [Vec3<S>; 2] {
+    let extreme = |row: &[S; W], choose: fn(S, S) -> S| row.iter().fold(row[0], |found, &x| choose(found, x));
+    [S::min, S::max].map(|choose| Vec3::new(extreme(&row.x, choose), extreme(&row.y, choose), extreme(&row.z, choose)))
 }
 
 /// A surface's answer to a particle `depth` too deep along the unit `normal` that `slid` along with it: out by the depth, and back
@@ -63,6 +84,13 @@ fn respond<S: Scalar>(normal: Vec3<S>, depth: S, slid: Vec3<S>, friction: S) -> 
     let length = along.length();
     let grip = friction * depth;
     if length <= grip { out - along } else { out - along * grip.divide(length) }
+}
+
+/// The way from a box to a point outside it, without signs; zero where the point is inside.
+#[inline]
+fn gap<S: Scalar>(low: Vec3<S>, high: Vec3<S>, point: Vec3<S>) -> Vec3<S> {
+    let along = |low: S, high: S, x: S| (low - x).max(x - high).max(S::ZERO);
+    Vec3::new(along(low.x, high.x, point.x), along(low.y, high.y, point.y), along(low.z, high.z, point.z))
 }
 
 impl<S: Scalar> Collider<S> for () {
@@ -85,6 +113,11 @@ impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {
     }
 
     #[inline]
+    fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+        self.iter().any(|collider| collider.reaches(moment, low, high))
+    }
+
+    #[inline]
     fn advance(&mut self, end: Moment) {
         for collider in self {
             collider.advance(end);
@@ -96,6 +129,11 @@ impl<S: Scalar, T: Collider<S>, const N: usize> Collider<S> for heapless::Vec<T,
     #[inline]
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
         self.as_slice().contact(moment, position, moved)
+    }
+
+    #[inline]
+    fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+        self.as_slice().reaches(moment, low, high)
     }
 
     #[inline]
@@ -129,6 +167,13 @@ macro_rules! tuple {
                 let total = None;
                 $(let total = then(total, $name, moment, position, moved);)+
                 total
+            }
+
+            #[inline]
+            fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.reaches(moment, low, high))||+
             }
 
             #[inline]

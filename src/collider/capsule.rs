@@ -53,4 +53,15 @@ impl<S: Scalar> Collider<S> for Capsule<S> {
         let normal = if distance == S::ZERO { up } else { d.map(|component| component.divide(distance)) };
         Some(respond(normal, self.reach - distance, moved, self.friction))
     }
+
+    #[inline]
+    fn reaches(&self, _moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+        // the box around the segment, and a little more than the reach, for rounding
+        let end = self.start + self.axis * self.length;
+        let reach = self.reach + self.reach.halve(10);
+        let apart = |low: S, high: S, a: S, b: S| a.min(b) - high > reach || low - a.max(b) > reach;
+        !(apart(low.x, high.x, self.start.x, end.x)
+            || apart(low.y, high.y, self.start.y, end.y)
+            || apart(low.z, high.z, self.start.z, end.z))
+    }
 }

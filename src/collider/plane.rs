@@ -39,4 +39,13 @@ impl<S: Scalar> Collider<S> for Plane<S> {
         let depth = self.margin - (position - self.point).dot(self.normal);
         (depth > S::ZERO).then(|| respond(self.normal, depth, moved, self.friction))
     }
+
+    #[inline]
+    fn reaches(&self, _moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+        // the box's deepest corner
+        let deepest = |low: S, high: S, normal: S| if normal > S::ZERO { low } else { high };
+        let Vec3 { x, y, z } = self.normal;
+        let corner = Vec3::new(deepest(low.x, high.x, x), deepest(low.y, high.y, y), deepest(low.z, high.z, z));
+        (corner - self.point).dot(self.normal) < self.margin
+    }
 }

@@ -1,6 +1,6 @@
 //! A ball.
 
-use crate::collider::{Collider, respond};
+use crate::collider::{Collider, gap, respond};
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Length, Point, Velocity};
@@ -54,6 +54,11 @@ impl<S: Scalar> Collider<S> for Sphere<S> {
         let normal = if distance == S::ZERO { up } else { d.map(|component| component.divide(distance)) };
         let slid = moved - moment.displacement(self.velocity);
         Some(respond(normal, self.reach - distance, slid, self.friction))
+    }
+
+    #[inline]
+    fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+        gap(low, high, self.centre + self.velocity * moment.ticks()).squared() < self.reach.product(self.reach)
     }
 
     #[inline]

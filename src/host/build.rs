@@ -65,6 +65,14 @@ impl<S: Scalar> Collider<S> for Obstacle<S> {
         }
     }
 
+    fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+        match self {
+            Self::Sphere(sphere) => sphere.reaches(moment, low, high),
+            Self::Plane(plane) => plane.reaches(moment, low, high),
+            Self::Capsule(capsule) => capsule.reaches(moment, low, high),
+        }
+    }
+
     fn advance(&mut self, end: Moment) {
         if let Self::Sphere(sphere) = self {
             sphere.advance(end);
@@ -99,6 +107,10 @@ impl<S: Scalar + Send> Obstacles<S> for Solids<S> {
 impl<S: Scalar> Collider<S> for Solids<S> {
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
         self.0.as_slice().contact(moment, position, moved)
+    }
+
+    fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+        self.0.as_slice().reaches(moment, low, high)
     }
 
     fn advance(&mut self, end: Moment) {
