@@ -79,10 +79,10 @@ impl<S: Scalar> Chain<'_, S> {
         let w_next = vectors::left::<1, S, W>(&w);
         for k in 0..W {
             let d = next.at(k) - x.at(k);
-            let (excess, inverse) = S::gauge(d.squared(), self.rest);
+            let (excess, along) = d.direction(self.rest);
             residual[k] = excess - divisor * tension[k];
             diagonal[k] = w[k] + w_next[k] + divisor;
-            normal.set(k, d * inverse);
+            normal.set(k, along);
         }
         residual[links] = S::ZERO;
         for k in 0..W {
@@ -91,7 +91,7 @@ impl<S: Scalar> Chain<'_, S> {
         // of each link with the one after it
         let normal_next = normal.components(vectors::left::<1, S, W>);
         for k in 0..W {
-            coupling[k] = w_next[k] * normal.at(k).dot(normal_next.at(k));
+            coupling[k] = w_next[k] * normal.at(k).cosine(normal_next.at(k));
         }
         let [mut left, mut right] = [Eliminated::NONE; 2];
         let mut factor = [S::ZERO; W];
@@ -188,10 +188,9 @@ impl<S: Scalar> Chain<'_, S> {
                 let column = first + lane;
                 let (u, v) = (u[column] * dividend, v[column] * dividend);
                 let d = y.at(column) - x.at(column);
-                let (excess, inverse) = S::gauge(d.squared(), self.rest);
+                let (excess, normal) = d.direction(self.rest);
                 let residual = excess - divisor * tension.0[row][column];
-                let normal = d * inverse;
-                let coupling = u * before.at(lane).dot(normal);
+                let coupling = u * before.at(lane).cosine(normal);
                 let factor;
                 (above[lane], factor) = above[lane].next(u + v + divisor, coupling, residual);
                 normals[row].set(lane, normal);

@@ -145,7 +145,7 @@ impl<'a, S: Scalar> Pairs<'a, S> {
         // no branches, all columns: so it can be done for four at once
         for column in 0..W {
             let d = y.at(column) - x.at(column);
-            let (excess, inverse) = S::gauge(d.squared(), self.rest);
+            let (excess, normal) = d.direction(self.rest);
             let change = if START {
                 let change = tension[column] * warm;
                 tension[column] = change;
@@ -157,7 +157,7 @@ impl<'a, S: Scalar> Pairs<'a, S> {
                 tension[column] += change;
                 change
             };
-            pull.set(column, d * (inverse * change * dividend));
+            pull.set(column, normal * (change * dividend));
         }
         pull
     }
