@@ -92,7 +92,14 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         let strength = family.strength.scaled(self.softness);
         let pairs = Pairs::new(family, strength, self.moment);
         let soft = strength.divisor >= strength.dividend;
-        let warm = if soft { S::from_f64(WARM) } else { S::ZERO };
+        if START && !soft {
+            self.clear(slot);
+            if ACROSS > 0 && DOWN > 0 {
+                self.clear(slot + 1);
+            }
+            return;
+        }
+        let warm = S::from_f64(WARM);
         let tension = self.tension.get_mut(slot..).unwrap_or(&mut []);
         // without a memory a second time would count twice
         let first = self.first;
