@@ -88,6 +88,13 @@ pub trait Scalar:
     /// A product rounded to nearest; saturates in fixed point.
     fn narrow(product: Self::Product) -> Self;
 
+    /// `self · ratio` for `|ratio| ≤ 1`.
+    #[inline]
+    #[must_use]
+    fn scaled(self, ratio: Self) -> Self {
+        self * ratio
+    }
+
     /// The square root of a sum of squares.
     fn root(squares: Self::Product) -> Self;
 

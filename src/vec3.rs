@@ -80,6 +80,20 @@ impl<S: Scalar> Vec3<S> {
         S::root(self.squared())
     }
 
+    /// `self · ratio` for `|ratio| ≤ 1`.
+    #[inline(always)]
+    #[must_use]
+    pub fn scaled(self, ratio: S) -> Self {
+        self.map(|component| component.scaled(ratio))
+    }
+
+    /// The vector of length `length` in this direction.
+    #[inline(always)]
+    #[must_use]
+    pub fn of_length(self, length: S) -> Self {
+        self.map(|component| length.scaled(component))
+    }
+
     /// What [`Scalar::correction`] makes of this edge.
     #[inline(always)]
     #[must_use]

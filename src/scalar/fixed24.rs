@@ -232,6 +232,11 @@ impl<K: Kernel> Scalar for Fixed24<K> {
     }
 
     #[inline]
+    fn scaled(self, ratio: Self) -> Self {
+        Self::from_bits(K::scaled(self.to_bits(), ratio.to_bits()))
+    }
+
+    #[inline]
     fn root(squares: Wide) -> Self {
         Self::from_bits(root(squares.squares()))
     }

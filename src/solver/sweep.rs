@@ -8,6 +8,7 @@ use crate::grid::Node;
 use crate::link::{Family, Links, Quotient, Visitor, each_row, in_row};
 use crate::moment::Moment;
 use crate::scalar::{Rest, Scalar};
+use crate::solver::ordinary::Ordinary;
 use crate::vec3::Vec3;
 
 /// Projects every spring `parts` times, each time at one part in `parts` of its stiffness.
@@ -18,7 +19,7 @@ pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     moment: Moment,
     parts: u32,
 ) {
-    let ordinary = cloth.inverse_mass.0.map(|row| row.iter().all(|w| *w == S::ONE));
+    let ordinary = Ordinary::new(cloth).rows;
     // sums in fixed point are exact: velocities that take part in every correction and those that are completed at the end are the same
     if !S::FLOATS {
         carry(cloth, |position, velocity| velocity - moment.velocity(position));

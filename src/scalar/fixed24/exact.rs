@@ -119,6 +119,11 @@ impl Kernel for Exact {
     }
 
     #[inline]
+    fn scaled(a: i32, ratio: i32) -> i32 {
+        Self::multiply(a, ratio)
+    }
+
+    #[inline]
     fn reciprocal(x: i32) -> i32 {
         divide(ONE, x)
     }

@@ -16,6 +16,9 @@ pub trait Kernel: Copy + Debug + Default + Ord + Hash + 'static {
     /// A product, rounded to nearest.
     fn multiply(a: i32, b: i32) -> i32;
 
+    /// A product with `|ratio| ≤ 1`.
+    fn scaled(a: i32, ratio: i32) -> i32;
+
     /// `1/x` for x > 0.
     fn reciprocal(x: i32) -> i32;
 

@@ -101,6 +101,13 @@ impl Kernel for Short {
         if WIDE { exact::Exact::multiply(a, b) } else { by_parts(a, b) }
     }
 
+    /// To 14 fraction bits of the ratio: two products, where [`multiply`](Self::multiply) has four.
+    #[inline(always)]
+    fn scaled(a: i32, ratio: i32) -> i32 {
+        let ratio = shift(ratio, 10);
+        times(a >> 16, ratio).wrapping_shl(2).wrapping_add(shift(times(a & 0xffff, ratio), 14))
+    }
+
     /// Right to 5·10⁻⁵.
     #[inline(always)]
     fn reciprocal(x: i32) -> i32 {
