@@ -2,7 +2,7 @@
 
 use super::kernel::Kernel;
 use super::newton::inverse_root_wide;
-use super::{FRACTION, Fixed24, ONE, divide, round, root, saturate};
+use super::{FRACTION, Fixed24, ONE, divide, root, round, saturate};
 use crate::scalar::Rest;
 
 /// Products of 64 bits: every result is right to its last place or the one before.
@@ -77,7 +77,9 @@ pub(super) fn elongation<K: Kernel>(squares: u64, rest: &Rest<Fixed24<K>>) -> i3
 pub(super) fn gauge<K: Kernel>(squares: u64, rest: &Rest<Fixed24<K>>) -> (i32, i32) {
     let [length, inverse] = [rest.length.to_bits(), rest.inverse.to_bits()];
     match near_rest(squares, rest.inverse_square.to_bits()) {
-        Some(e) => (Exact::multiply(series(e, EXCESS), length), inverse - Exact::multiply(series(e, ELONGATION), inverse)),
+        Some(e) => {
+            (Exact::multiply(series(e, EXCESS), length), inverse - Exact::multiply(series(e, ELONGATION), inverse))
+        }
         None => far_gauge(squares, [length, inverse, rest.inverse_square.to_bits()]),
     }
 }
@@ -143,5 +145,41 @@ impl Kernel for Exact {
     #[inline]
     fn cosine(a: [i32; 3], b: [i32; 3]) -> i32 {
         saturate(round(dot(a, b)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Q24, Scalar};
+
+    #[test]
+    fn near_rest_series_are_right_to_the_last_place() {
+        for e in (1 - NEAR..NEAR).step_by(61) {
+            let ratio = 1.0 + f64::from(e) / (1 << 29) as f64;
+            let places = |found: i32, expected: f64| (f64::from(found) - expected / Q24::RESOLUTION).abs();
+            assert!(places(series(e, ELONGATION), 1.0 - 1.0 / libm::sqrt(ratio)) < 0.75, "{ratio}");
+            assert!(places(series(e, EXCESS), libm::sqrt(ratio) - 1.0) < 0.65, "{ratio}");
+        }
+    }
+
+    #[test]
+    fn elongation_agrees_with_f64_over_the_whole_range() {
+        for length in [1.0, core::f64::consts::SQRT_2, 2.0, 0.37] {
+            let rest = Rest::spanning(Q24::from_f64(length), Q24::ZERO);
+            let length = rest.length.to_f64();
+            let mut stretch = 0.02;
+            while stretch * length < 120.0 && stretch < 180.0 {
+                let d = Q24::from_f64(stretch * length);
+                let expected = 1.0 - length / d.to_f64();
+                let found = Q24::elongation(d.product(d), &rest).to_f64();
+                let bound = 2e-7 * (1.0 + expected.abs());
+                assert!(
+                    (found - expected).abs() < bound.max(expected.abs() * 3e-7),
+                    "{length} × {stretch}: {found} {expected}"
+                );
+                stretch *= 1.013;
+            }
+        }
     }
 }

@@ -187,7 +187,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     }
 
     fn some<const N: usize>(&self, cloth: &mut Cloth<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) {
-        if self.ordinary.columns.iter().skip(first).take(N).all(|ordinary| *ordinary) {
+        // those that are left over are few
+        if N == LANES && self.ordinary.columns.iter().skip(first).take(N).all(|ordinary| *ordinary) {
             self.side_by_side::<N, true>(cloth, first, tension);
         } else {
             self.side_by_side::<N, false>(cloth, first, tension);
@@ -220,11 +221,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 let (excess, normal) = d.direction(self.rest);
                 let residual = excess - tension.0[row][column].scaled(divisor);
                 let coupling = before.at(lane).cosine(normal).scaled(dividend);
-                let (coupling, inverse_mass) = if ORDINARY {
-                    (coupling, S::ONE + S::ONE)
-                } else {
-                    (coupling * u[column], u[column] + v[column])
-                };
+                let (coupling, inverse_mass) =
+                    if ORDINARY { (coupling, S::ONE + S::ONE) } else { (coupling * u[column], u[column] + v[column]) };
                 let diagonal = inverse_mass * dividend + divisor;
                 let factor;
                 (above[lane], factor) = above[lane].next::<ORDINARY>(diagonal, coupling, residual);
