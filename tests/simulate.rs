@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-use kerchief::host::{Description, SHAPES, ScalarKind, SolverKind};
+use kerchief::host::{Description, SHAPES, ScalarKind, Simulation, SolverKind, Wind, WindModel};
 use tempfile::TempDir;
 
 /// A scene that runs in an instant.
@@ -167,6 +167,8 @@ fn numbers_that_the_type_cannot_hold() {
         ("q24", "stiffness = 100.0", "compliance = 1e7", "stretch.compliance: too small for q24"),
         ("q24", "density = 0.2", "density = 0.2\nhem = 500", "cloth.hem: too large for q24"),
         ("f64", "width = 1.0\nheight = 1.0\ndensity", "width = 5e-324\nheight = 1.0\nmass", "cloth.width: too small"),
+        ("q24", "[run]", "[rest]\nspeed = 1e-9\n[run]", "rest.speed: too small for q24"),
+        ("q24", "[run]", "[rest]\nacceleration = 1e6\n[run]", "rest.acceleration: too large for q24"),
         ("q24", "substeps = 4", "strain_limit = 100", "solver.strain_limit: too large for q24"),
         ("q24", "kind = \"xpbd\"", "kind = \"verlet\"\niterations = 128", "solver.iterations: too large for q24"),
     ] {
@@ -221,6 +223,7 @@ fn the_report_has_its_keys_in_order() {
         "columns",
         "rows",
         "frames",
+        "frames_at_rest",
         "substeps",
         "iterations",
         "seconds",
@@ -269,6 +272,54 @@ fn the_report_has_its_keys_in_order() {
     assert!(seconds > 0.0 && (steps * seconds / 21.0 - 1.0).abs() < 1e-9);
     assert!((particle_steps / steps / 16.0 - 1.0).abs() < 1e-9);
     assert!(stdout.contains(&format!("{:#010x}", simulation.digest())), "{stdout}");
+}
+
+/// `[rest]` saves work, not truth: the sheet comes to the same end, and goes on when it is disturbed.
+#[test]
+fn a_sheet_at_rest_is_not_computed() {
+    let room = room();
+    let room = room.path();
+    let damped = SMALL.replace("[environment]", "[environment]\ndrag = 5.0");
+    fs::write(room.join("resting.toml"), format!("{damped}[rest]\n")).unwrap();
+    let stdout = succeeds(room, &["resting.toml", "--csv", "--every", "1000", "--frames", "1000"]);
+    let text = fs::read_to_string(room.join("out/report.json")).unwrap();
+    let report: BTreeMap<String, serde_json::Value> = serde_json::from_str(&text).unwrap();
+    let at_rest = report["frames_at_rest"].as_u64().unwrap();
+    assert!(
+        (500..1000).contains(&at_rest) && stdout.contains(&format!("at rest           {at_rest} frames")),
+        "{stdout}"
+    );
+
+    let scene = Description::parse(&damped).unwrap();
+    let mut moving = scene.simulation(ScalarKind::F32).unwrap();
+    (0..1000 - at_rest).for_each(|_| moving.frame());
+    assert_eq!(report["digest"], moving.digest(), "as it was when it came to rest");
+    assert!(!moving.is_at_rest(), "a scene without [rest] never is");
+
+    let scene = Description::parse(&format!("{damped}[rest]\n")).unwrap();
+    let mut resting = scene.simulation(ScalarKind::F32).unwrap();
+    type Disturb = fn(&mut dyn Simulation);
+    let disturbances: [(&str, Disturb); 4] = [
+        ("gravity", |simulation| simulation.set_gravity([0.0, 1.0, -9.81]).unwrap()),
+        ("a pin let go", |simulation| simulation.set_pinned(3, 0, false)),
+        ("another state", |simulation| {
+            let mut state = simulation.state();
+            state.velocities[9][1] = 0.1;
+            simulation.restore(&state);
+        }),
+        ("wind", |simulation| {
+            let wind = Wind { velocity: [0.0, 1.0, 0.0], model: WindModel::Facet };
+            simulation.set_wind(Some(&wind)).unwrap();
+        }),
+    ];
+    for (what, disturb) in disturbances {
+        (0..1000).for_each(|_| resting.frame());
+        assert!(resting.is_at_rest(), "before {what}");
+        let digest = resting.digest();
+        disturb(&mut *resting);
+        resting.frame();
+        assert!(!resting.is_at_rest() && resting.digest() != digest, "{what}");
+    }
 }
 
 #[test]

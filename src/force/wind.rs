@@ -2,6 +2,7 @@
 //!
 //! Each cell with the particles p = (c, r), q = (c+1, r), s = (c, r+1), t = (c+1, r+1) has the triangles (q, p, s) and (t, q, s).
 
+use crate::fingerprint::Fingerprint;
 use crate::force::{Force, Row};
 use crate::scalar::Scalar;
 use crate::units::Airflow;
@@ -32,6 +33,11 @@ impl<S: Scalar> Force<S> for FacetWind<S> {
             let n = normal(corners);
             n * over(n.dot(self.wind), n.length())
         });
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.vector(self.wind);
     }
 }
 
@@ -67,6 +73,12 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
             let across = over(n.dot(u), n.length());
             n * (self.pressure * across * across.abs())
         });
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.vector(self.wind);
+        print.number(self.pressure);
     }
 }
 

@@ -355,6 +355,11 @@ impl Scalar for Q24 {
     }
 
     #[inline]
+    fn word(self) -> u32 {
+        self.to_bits() as u32
+    }
+
+    #[inline]
     fn is_finite(self) -> bool {
         true
     }
