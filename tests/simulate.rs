@@ -141,6 +141,72 @@ fn options_that_are_wrong() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn directories_that_cannot_be_written() {
+    let room = room();
+    refuses(room.path(), &["small.toml", "--out", "/proc"], "--out: /proc: ");
+    refuses(room.path(), &["small.toml", "--out", "/proc/none/of/this"], "--out: /proc/none/of/this: ");
+}
+
+/// A disk that is full, here by a limit on the size of files: whatever was there stays as it was, and nothing stands beside it.
+#[test]
+#[cfg(unix)]
+fn a_full_disk_leaves_what_was_there() {
+    let room = room();
+    let room = room.path();
+    succeeds(room, &["small.toml", "--csv", "--gif", "--png", "--every", "5"]);
+    let before = contents(&room.join("out"));
+    for kind in ["--csv", "--gif", "--png"] {
+        // blocks of 512 bytes; without the signal a write fails as on a full disk
+        let output = Command::new("sh")
+            .args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$@\"", "sh"])
+            .arg(program().get_program())
+            .args(["small.toml", "--solver", "lines", kind])
+            .current_dir(room)
+            .output()
+            .unwrap();
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{kind}: {stderr}");
+        assert!(stderr.starts_with("error: out") && stderr.lines().count() == 1, "{kind}: {stderr:?}");
+        assert!(contents(&room.join("out")) == before, "{kind}: something else is there");
+    }
+}
+
+/// Killed in the middle of a run: the complete files of the run before stay complete.
+#[test]
+#[cfg(unix)]
+fn an_interrupted_run_leaves_what_was_there() {
+    let room = room();
+    let room = room.path();
+    succeeds(room, &["small.toml", "--csv"]);
+    let before = contents(&room.join("out"));
+    let long = ["small.toml", "--csv", "--frames", "10000000", "--solver", "lines"];
+    let mut running = program().current_dir(room).args(long).spawn().unwrap();
+    // until it has written something beside the old file
+    let staged = || {
+        fs::read_dir(room.join("out")).unwrap().any(|entry| {
+            let entry = entry.unwrap();
+            entry.file_name().to_string_lossy().starts_with('.') && entry.metadata().unwrap().len() > 100_000
+        })
+    };
+    let start = std::time::Instant::now();
+    while !staged() {
+        assert!(start.elapsed().as_secs() < 60 && running.try_wait().unwrap().is_none(), "it writes nothing");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    running.kill().unwrap();
+    running.wait().unwrap();
+    let mut after = contents(&room.join("out"));
+    after.retain(|name, _| !name.starts_with('.'));
+    assert!(after == before, "the old files changed");
+}
+
+/// The files of a directory.
+fn contents(directory: &Path) -> BTreeMap<String, Vec<u8>> {
+    names(directory).into_iter().map(|name| (name.clone(), fs::read(directory.join(name)).unwrap())).collect()
+}
+
+#[test]
 #[cfg(not(feature = "window"))]
 fn a_window_needs_its_feature() {
     refuses(room().path(), &["small.toml", "--window"], "--window: ");
