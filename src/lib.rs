@@ -86,7 +86,7 @@ pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
 pub use material::Material;
 pub use moment::Moment;
 pub use rest::{Resting, Stillness};
-pub use scalar::{Q24, Scalar};
+pub use scalar::{Fixed24, Q13, Q24, Scalar};
 pub use scene::Scene;
 pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Solver, Verlet, Xpbd};
 pub use units::{Point, Units};

@@ -7,8 +7,8 @@ use std::fmt::Write;
 use kerchief::host::{BUILT_IN, Description, ScalarKind, SolverKind};
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Cloth, Damped, Drag, FacetWind, ForwardEuler, Gravity, Leapfrog, Lines, Node,
-    Plane, Q24, Resting, Scalar, Scene, Shear, Sphere, Stillness, StrainLimited, Stretch, Tether, Units, Vec3, Verlet,
-    Xpbd, measure,
+    Plane, Q13, Q24, Resting, Scalar, Scene, Shear, Sphere, Stillness, StrainLimited, Stretch, Tether, Units, Vec3,
+    Verlet, Xpbd, measure,
 };
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
@@ -138,6 +138,7 @@ proptest! {
     #[test]
     fn no_bits_of_a_state_panic(bits in proptest::collection::vec(any::<u32>(), 4 * 4 * 7 + 24)) {
         any_state(&bits, |bits| Q24::from_bits(bits as i32));
+        any_state(&bits, |bits| Q13::from_bits(bits as i32));
         any_state(&bits, f32::from_bits);
     }
 }

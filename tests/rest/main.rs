@@ -6,7 +6,7 @@ mod wake;
 
 use kerchief::rest::Memory;
 use kerchief::{
-    BackwardEuler, Bend, Cloth, Damped, Drag, Gravity, Leapfrog, Lines, Node, Q24, Resting, Scalar, Scene, Shear,
+    BackwardEuler, Bend, Cloth, Damped, Drag, Gravity, Leapfrog, Lines, Node, Q13, Q24, Resting, Scalar, Scene, Shear,
     Solver, Sphere, Stillness, Stretch, Units, Vec3, Verlet, Xpbd,
 };
 
@@ -57,6 +57,7 @@ fn every_solver(trial: &impl Trial) {
     every::<f32>(trial);
     every::<f64>(trial);
     every::<Q24>(trial);
+    every::<Q13>(trial);
 }
 
 /// The frames that a sheet takes to come to rest, at most `most`.

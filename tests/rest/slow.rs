@@ -2,8 +2,8 @@
 
 use kerchief::force::Force;
 use kerchief::{
-    Cloth, Drag, Gravity, Lines, Node, Q24, Resting, Scalar, Scene, Shear, Sphere, Stillness, Stretch, Units, Vec3,
-    Xpbd, measure,
+    Cloth, Drag, Gravity, Lines, Node, Q13, Q24, Resting, Scalar, Scene, Shear, Sphere, Stillness, Stretch, Units,
+    Vec3, Xpbd, measure,
 };
 
 const UNITS: Units = Units::sheet([4, 4], [0.3, 0.3], 1e-3, 1.0 / 60.0, 8);
@@ -99,6 +99,7 @@ fn falls() {
     slow_falls_go_on::<f32>();
     slow_falls_go_on::<f64>();
     slow_falls_go_on::<Q24>();
+    slow_falls_go_on::<Q13>();
 }
 
 #[test]
@@ -106,6 +107,7 @@ fn swings() {
     slow_swings_go_on::<f32>();
     slow_swings_go_on::<f64>();
     slow_swings_go_on::<Q24>();
+    slow_swings_go_on::<Q13>();
 }
 
 #[test]
@@ -113,4 +115,5 @@ fn hands() {
     slow_hands_are_followed::<f32>();
     slow_hands_are_followed::<f64>();
     slow_hands_are_followed::<Q24>();
+    slow_hands_are_followed::<Q13>();
 }

@@ -2,7 +2,7 @@
 
 use kerchief::Cloth;
 use kerchief::{
-    AerodynamicWind, Damped, Drag, Gravity, Lines, Node, Q24, Scalar, Scene, Shear, Stretch, Units, measure,
+    AerodynamicWind, Damped, Drag, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Stretch, Units, measure,
 };
 
 const MINUTE: u32 = 3600;
@@ -72,5 +72,6 @@ fn blow<S: Scalar>(digests: &Digests) {
 
 #[test]
 fn a_flag_blows_on() {
+    blow::<Q13>(&Digests { ten_minutes: 0, day: 0 });
     blow::<Q24>(&Digests { ten_minutes: 0x4264_ac1c, day: 0 });
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use kerchief::{
-    AerodynamicWind, BackwardEuler, FacetWind, Lines, Node, Q24, Scalar, Solver, Sphere, Vec3, Verlet, Xpbd,
+    AerodynamicWind, BackwardEuler, FacetWind, Lines, Node, Q13, Q24, Scalar, Solver, Sphere, Vec3, Verlet, Xpbd,
 };
 
 use crate::ordeal::{Ordeal, all};
@@ -202,4 +202,5 @@ fn nothing_is_faster_than_the_wind() {
     every::<f32>();
     every::<f64>();
     every::<Q24>();
+    every::<Q13>();
 }

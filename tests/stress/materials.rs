@@ -1,6 +1,6 @@
 //! Materials and steps from one end to the other.
 
-use kerchief::{Lines, Node, Q24, Scalar, Solver};
+use kerchief::{Lines, Node, Q13, Q24, Scalar, Solver};
 
 use crate::ordeal::{Complaints, Ordeal, default_in, default_solver, other_solvers};
 use crate::stage::{CLOTH, Sheet, Stage};
@@ -68,6 +68,7 @@ fn every_stiffness_and_step() {
         let (what, ordeal) = (format!("1e11 N/m, frames of {frame:.3} s"), Kicked { stretch: 1e11, frame, heavy: 1.0 });
         default_in::<f64, 8, 8>(&mut complaints, &what, &ordeal);
         default_in::<Q24, 8, 8>(&mut complaints, &what, &ordeal);
+        default_in::<Q13, 8, 8>(&mut complaints, &what, &ordeal);
     }
     other_solvers::<8, 8>(&mut complaints, "1e11 N/m", &Kicked { stretch: 1e11, frame: 0.05, heavy: 1.0 });
     complaints.assert_none();

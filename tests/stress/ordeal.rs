@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use kerchief::{BackwardEuler, Lines, Q24, Scalar, Solver, Verlet, Xpbd, measure};
+use kerchief::{BackwardEuler, Lines, Q13, Q24, Scalar, Solver, Verlet, Xpbd, measure};
 
 use crate::stage::{DOWN, Sheet, Stage};
 
@@ -107,6 +107,7 @@ pub(crate) fn default_solver<const W: usize, const H: usize>(
     default_in::<f32, W, H>(complaints, what, ordeal);
     default_in::<f64, W, H>(complaints, what, ordeal);
     default_in::<Q24, W, H>(complaints, what, ordeal);
+    default_in::<Q13, W, H>(complaints, what, ordeal);
 }
 
 /// The other solvers that are stable for any step, in every number type.
@@ -124,6 +125,7 @@ pub(crate) fn other_solvers<const W: usize, const H: usize>(
     each::<f32, W, H>(complaints, what, ordeal);
     each::<f64, W, H>(complaints, what, ordeal);
     each::<Q24, W, H>(complaints, what, ordeal);
+    each::<Q13, W, H>(complaints, what, ordeal);
 }
 
 /// All of them, and a larger grid.

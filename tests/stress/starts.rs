@@ -1,6 +1,6 @@
 //! Starts that no sheet has.
 
-use kerchief::{Lines, Node, Q24, Scalar, Solver};
+use kerchief::{Lines, Node, Q13, Q24, Scalar, Solver};
 
 use crate::ordeal::{Ordeal, all};
 use crate::stage::{CLOTH, Sheet, Stage};
@@ -77,4 +77,5 @@ fn the_default_solver_puts_a_scrambled_sheet_in_order_within_ten_frames() {
     check::<f32>();
     check::<f64>();
     check::<Q24>();
+    check::<Q13>();
 }
