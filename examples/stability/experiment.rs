@@ -131,8 +131,8 @@ pub(crate) fn words(steps: u32) -> String {
          that) and steps of {:.1} ms. Position Verlet has 4 sweeps, the others their defaults. Strain is the largest of a stretch link at the end of any frame; the gain of \
          energy is the largest over that of the start, in weights of the sheet times its size; what a solver leaves of strain in nearly rigid springs counts.\n\n\
          *Black*: the sheet is gone, undefined or {FURTHEST} times its size away. *Hatched*: the number type does not hold a value, and the scene is refused. Lines are the \
-         limits of theory: h = 2/ω for leapfrog and h = γ/ω² for forward Euler with drag γ, ω² = 4·(k + k_shear)/m; in wind, which every solver takes \
-         explicitly, h = 2/rate with the rate ρ·c·A·v/m at which it takes a particle along.",
+         limits of theory: h = 2/ω for leapfrog and h = γ/ω² for forward Euler with drag γ, ω² = 4·(k + k_shear)/m; in wind also h = 2/rate with the rate \
+         ρ·c·A·v/m at which it takes a particle along: beyond that line wind taken at a step's start would overshoot, were it not bounded.",
         USUAL.drag,
         USUAL.side,
         USUAL.side,
