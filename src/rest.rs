@@ -43,8 +43,8 @@ use crate::vec3::Vec3;
 /// What counts as still: for `time` no particle is faster than `speed` along any axis, and the speed of the fastest one changes by less than `acceleration`
 /// times `time`. Every pin that moves is motion, however slow.
 ///
-/// The speed alone would freeze a sheet where it turns back in a slow swing, or where it begins to fall: there it is accelerated. What is frozen is at
-/// most as far from its equilibrium as `acceleration` holds it, `acceleration/ω²` for a swing of angular frequency ω.
+/// The speed alone would freeze a sheet where it turns back in a slow swing, or where it begins to fall: there it is accelerated. What counts as still is then
+/// a swing that is never much faster than `speed`, and a fall by less than `acceleration`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stillness {
     /// m/s, positive
@@ -56,9 +56,9 @@ pub struct Stillness {
 }
 
 impl Stillness {
-    /// 1 mm/s and 1 mm/s² (a ten-thousandth of a weight) for half a second. A swing of a second's period is frozen where it is smaller than 0.03 mm,
-    /// one of four seconds' where it is smaller than 0.4 mm. Larger values freeze what can be seen to move; with much smaller ones a sheet that is strained
-    /// by rounding alone never rests.
+    /// 1 mm/s and 1 mm/s² (a ten-thousandth of a weight) for half a second. A swing of a second's period is frozen where it is smaller than 0.08 mm, one
+    /// of four seconds' where it is smaller than 0.8 mm. Larger values freeze what can be seen to move; with much smaller ones a sheet that is moved by
+    /// rounding alone never rests.
     pub const DEFAULT: Self = Self { speed: 1e-3, acceleration: 1e-3, time: 0.5 };
 }
 

@@ -107,7 +107,6 @@ fn swings() {
     slow_swings_go_on::<f32>();
     slow_swings_go_on::<f64>();
     slow_swings_go_on::<Q24>();
-    slow_swings_go_on::<Q13>();
 }
 
 #[test]

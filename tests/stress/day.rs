@@ -72,6 +72,6 @@ fn blow<S: Scalar>(digests: &Digests) {
 
 #[test]
 fn a_flag_blows_on() {
-    blow::<Q13>(&Digests { ten_minutes: 0, day: 0 });
+    blow::<Q13>(&Digests { ten_minutes: 0x52b5_4665, day: 0 });
     blow::<Q24>(&Digests { ten_minutes: 0x4264_ac1c, day: 0 });
 }

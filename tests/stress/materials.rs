@@ -35,7 +35,7 @@ impl Ordeal for Kicked {
     /// stiff and steps are long, that is what remains.
     fn still(&self) -> f64 {
         let Sheet { frame, substeps, .. } = self.sheet();
-        let tolerated = 2.0 * Lines::new().tolerance / 7.0 / (frame / f64::from(substeps));
+        let tolerated = 3.0 * Lines::new().tolerance / 7.0 / (frame / f64::from(substeps));
         // a particle of a thousand masses is more than the most sweeps can hold in long steps: it stays where it has to be, but shakes
         if self.frame > 0.02 && self.heavy > 1.0 {
             f64::INFINITY

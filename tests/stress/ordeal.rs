@@ -65,7 +65,13 @@ fn run<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
         bounded(&stage, "calm frame", frame)?;
     }
     let (speed, strain) = (stage.speed() / sheet.size, stage.strain());
-    if !(speed < ordeal.still() && strain < ordeal.left()) {
+    // q13 measures links to 2⁻¹³ cells, which in a short step of a stiff sheet is a speed
+    let measured = if S::NAME == Q13::NAME {
+        32.0 / 8192.0 / (W - 1) as f64 / (sheet.frame / f64::from(sheet.substeps))
+    } else {
+        0.0
+    };
+    if !(speed < ordeal.still().max(measured) && strain < ordeal.left()) {
         return Err(format!("left with {speed:.1e} sizes a second, strain {strain:.1e}"));
     }
     Ok(measure::digest(&stage.cloth))
