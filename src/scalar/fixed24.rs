@@ -128,6 +128,12 @@ const fn round(product: i64) -> i64 {
     product.wrapping_add(1 << (FRACTION - 1)) >> FRACTION
 }
 
+/// What `change` makes of each component. (The standard library's `map` on arrays is not always inlined.)
+#[inline(always)]
+fn each<T, U>([x, y, z]: [T; 3], change: impl Fn(T) -> U) -> [U; 3] {
+    [change(x), change(y), change(z)]
+}
+
 #[inline]
 fn saturate(bits: i64) -> i32 {
     bits.clamp(-i64::from(i32::MAX), i64::from(i32::MAX)) as i32
@@ -264,18 +270,18 @@ impl<K: Kernel> Scalar for Fixed24<K> {
 
     #[inline]
     fn correction(d: [Self; 3], rest: &Rest<Self>, part: Self) -> [Self; 3] {
-        K::correction(d.map(Self::to_bits), rest, part.to_bits()).map(Self::from_bits)
+        each(K::correction(each(d, Self::to_bits), rest, part.to_bits()), Self::from_bits)
     }
 
     #[inline]
     fn direction(d: [Self; 3], rest: &Rest<Self>) -> (Self, [Self; 3]) {
-        let (excess, normal) = K::direction(d.map(Self::to_bits), rest);
-        (Self::from_bits(excess), normal.map(Self::from_bits))
+        let (excess, normal) = K::direction(each(d, Self::to_bits), rest);
+        (Self::from_bits(excess), each(normal, Self::from_bits))
     }
 
     #[inline]
     fn cosine(a: [Self; 3], b: [Self; 3]) -> Self {
-        Self::from_bits(K::cosine(a.map(Self::to_bits), b.map(Self::to_bits)))
+        Self::from_bits(K::cosine(each(a, Self::to_bits), each(b, Self::to_bits)))
     }
 
     #[inline]

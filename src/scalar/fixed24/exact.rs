@@ -2,7 +2,7 @@
 
 use super::kernel::Kernel;
 use super::newton::inverse_root_wide;
-use super::{FRACTION, Fixed24, ONE, divide, root, round, saturate};
+use super::{FRACTION, Fixed24, ONE, divide, each, root, round, saturate};
 use crate::scalar::Rest;
 
 /// Products of 64 bits: every result is right to its last place or the one before.
@@ -108,8 +108,8 @@ fn far_gauge(squares: u64, [length, inverse, inverse_square]: [i32; 3]) -> (i32,
 /// The scalar product in full width.
 #[inline(always)]
 pub(super) fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
-    let [x, y, z] = [0, 1, 2].map(|k| i64::from(a[k]) * i64::from(b[k]));
-    x.wrapping_add(y).wrapping_add(z)
+    let product = |k: usize| i64::from(a[k]) * i64::from(b[k]);
+    product(0).wrapping_add(product(1)).wrapping_add(product(2))
 }
 
 impl Kernel for Exact {
@@ -133,13 +133,13 @@ impl Kernel for Exact {
     #[inline]
     fn correction(d: [i32; 3], rest: &Rest<Fixed24<Self>>, part: i32) -> [i32; 3] {
         let part = Self::multiply(elongation(dot(d, d) as u64, rest), part);
-        d.map(|d| Self::multiply(d, part))
+        each(d, |d| Self::multiply(d, part))
     }
 
     #[inline]
     fn direction(d: [i32; 3], rest: &Rest<Fixed24<Self>>) -> (i32, [i32; 3]) {
         let (excess, inverse) = gauge(dot(d, d) as u64, rest);
-        (excess, d.map(|d| Self::multiply(d, inverse)))
+        (excess, each(d, |d| Self::multiply(d, inverse)))
     }
 
     #[inline]

@@ -2,7 +2,7 @@
 
 use super::exact::{self, dot};
 use super::kernel::Kernel;
-use super::{FRACTION, Fixed24, ONE, divide};
+use super::{FRACTION, Fixed24, ONE, divide, each};
 use crate::scalar::Rest;
 
 /// Edges of 13 fraction bits, products of 32 bits: links are measured to 6·10⁻⁵ cells.
@@ -41,8 +41,8 @@ impl Edge {
     fn near(d: [i32; 3], rest: &Rest<Fixed24<Short>>) -> Option<Self> {
         let square = rest.square.to_bits();
         let near = if square >= ONE / 3 && square < 8 * ONE { square >> 1 } else { 0 };
-        let d = d.map(|d| shift(d, FRACTION - EDGE));
-        let [x, y, z] = d.map(|d| times(d, d));
+        let d = each(d, |d| shift(d, FRACTION - EDGE));
+        let [x, y, z] = each(d, |d| times(d, d));
         let e = x.wrapping_add(y).wrapping_add(z).wrapping_sub(square.wrapping_shl(2));
         ((e.wrapping_add(near) as u32) < 2 * near as u32).then_some(Self { d, e })
     }
@@ -62,7 +62,7 @@ impl Edge {
 #[cold]
 fn far_correction(d: [i32; 3], rest: &Rest<Fixed24<Short>>, part: i32) -> [i32; 3] {
     let part = Short::multiply(exact::elongation(dot(d, d) as u64, rest), part);
-    d.map(|d| Short::multiply(d, part))
+    each(d, |d| Short::multiply(d, part))
 }
 
 /// Full range, out of the way of the rest.
@@ -70,7 +70,7 @@ fn far_correction(d: [i32; 3], rest: &Rest<Fixed24<Short>>, part: i32) -> [i32; 
 #[cold]
 fn far_direction(d: [i32; 3], rest: &Rest<Fixed24<Short>>) -> (i32, [i32; 3]) {
     let (excess, inverse) = exact::gauge(dot(d, d) as u64, rest);
-    (excess, d.map(|d| Short::multiply(d, inverse)))
+    (excess, each(d, |d| Short::multiply(d, inverse)))
 }
 
 /// Full range, out of the way of the rest.
@@ -137,7 +137,7 @@ impl Kernel for Short {
         let twice = Self::multiply(once, rest.inverse_square.to_bits());
         let thrice = Self::multiply(twice, rest.inverse_square.to_bits());
         let part = edge.series([once >> 8, (twice >> 10) * 3, (thrice >> 11) * 5]);
-        edge.d.map(|d| shift(times(d, part), 9))
+        each(edge.d, |d| shift(times(d, part), 9))
     }
 
     #[inline(always)]
@@ -152,13 +152,13 @@ impl Kernel for Short {
         let excess = edge.series([inverse >> 8, third >> 10, fifth >> 11]);
         let less = edge.series([third >> 8, (fifth >> 10) * 3, (seventh >> 11) * 5]);
         let inverse = shift(inverse, 7).wrapping_sub(shift(less, 3));
-        (excess << 4, edge.d.map(|d| shift(times(d, inverse), 6)))
+        (excess << 4, each(edge.d, |d| shift(times(d, inverse), 6)))
     }
 
     #[inline(always)]
     fn cosine(a: [i32; 3], b: [i32; 3]) -> i32 {
-        let [x, y, z] = [0, 1, 2].map(|k| times(shift(a[k], 9), shift(b[k], 9)));
-        shift(x.wrapping_add(y).wrapping_add(z), 6)
+        let product = |k: usize| times(shift(a[k], 9), shift(b[k], 9));
+        shift(product(0).wrapping_add(product(1)).wrapping_add(product(2)), 6)
     }
 }
 
