@@ -35,9 +35,11 @@
 //! | [`vec3`], [`grid`], [`vectors`] | vectors, and numbers and vectors on a grid |
 //! | [`units`] | cells, ticks and particle masses; the way in from SI |
 //! | [`moment`] | where in a frame a solver is |
+//! | [`fingerprint`] | whether numbers have changed |
 //! | [`cloth`] | the state of a sheet |
 //! | [`force`], [`link`], [`collider`] | what acts on it |
 //! | [`solver`] | the ways to move it |
+//! | [`rest`] | when nothing moves, nothing is computed |
 //! | [`scene`] | the description, and the step |
 //! | [`measure`] | strain, energy, momentum, digest |
 //! | `render` | drawing on any `embedded-graphics` display (feature `graphics`) |
@@ -57,6 +59,7 @@ compile_error!("the features `std` and `window` are for programs on a host: buil
 
 pub mod cloth;
 pub mod collider;
+pub mod fingerprint;
 pub mod force;
 pub mod grid;
 #[cfg(feature = "std")]
@@ -67,6 +70,7 @@ pub mod measure;
 pub mod moment;
 #[cfg(feature = "graphics")]
 pub mod render;
+pub mod rest;
 pub mod scalar;
 pub mod scene;
 pub mod solver;
@@ -81,6 +85,7 @@ pub use grid::{Grid, Node};
 pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
 pub use material::Material;
 pub use moment::Moment;
+pub use rest::{Resting, Stillness};
 pub use scalar::{Fixed24, Q13, Q24, Scalar};
 pub use scene::Scene;
 pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Solver, Verlet, Xpbd};

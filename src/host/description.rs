@@ -7,6 +7,7 @@ use serde::Deserialize;
 
 use super::error::SceneError;
 use super::file::File;
+use crate::rest::Stillness;
 
 /// A scene as its file means it, before a number type and a grid are chosen.
 #[derive(Clone, Debug)]
@@ -37,6 +38,8 @@ pub struct Description {
     pub capsules: Vec<Capsule>,
     /// How the sheet is moved.
     pub solver: Solver,
+    /// How still the sheet has to be for nothing to be computed.
+    pub rest: Option<Stillness>,
     /// Number of frames of [`Solver::step`] each.
     pub frames: u32,
     /// How pictures show it.

@@ -36,14 +36,15 @@ const KERNELS: [(&str, &str, Option<&str>, u64); 13] = [
 ];
 
 /// A frame: its scene and what it consists of.
-const FRAMES: [(&str, &str); 3] = [
+const FRAMES: [(&str, &str); 4] = [
     ("xpbd", "XPBD, 8 substeps of stretch and shear"),
+    ("xpbd, at rest", "the same, at rest (`Resting`)"),
     ("verlet", "position Verlet, 8 sweeps of stretch and shear"),
     ("lines", "line solver, stretch and shear, strain under 1 %"),
 ];
 
 /// What a scene may name, and the scene that has it.
-const PARTS: [(&str, &str, &str); 13] = [
+const PARTS: [(&str, &str, &str); 14] = [
     ("nothing: `()` in every place", "unnamed", "bare"),
     ("stretch", "stretch", "bare"),
     ("shear", "shear", "bare"),
@@ -57,6 +58,7 @@ const PARTS: [(&str, &str, &str); 13] = [
     ("sphere", "sphere", "bare"),
     ("plane", "plane", "bare"),
     ("capsule", "capsule", "bare"),
+    ("rest, in motion", "xpbd, resting", "xpbd"),
 ];
 
 pub(crate) fn write(figures: &[Figure]) {
@@ -182,7 +184,7 @@ fn readme(figures: &[Figure]) -> String {
     for number in figures.numbers() {
         table += &row(&["instructions of a link (XPBD)", number], &figures.kernel(number, KERNELS[0]));
     }
-    for (scene, name) in [FRAMES[0], FRAMES[2]] {
+    for (scene, name) in [FRAMES[0], FRAMES[1], FRAMES[3]] {
         for number in figures.numbers() {
             table += &row(&[&format!("thousands for a frame: {name}"), number], &thousands(figures.get(number, scene)));
         }
