@@ -1,0 +1,122 @@
+//! How close fixed point comes to f64, and what a sheet at rest does in it.
+
+use kerchief::{
+    Bend, Cloth, Drag, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Solver, Stretch, Units, Vec3, Verlet, Xpbd,
+};
+
+const SIDE: usize = 16;
+
+/// What the number type is tested on: a light sheet of 30 cm that hangs upright.
+#[derive(Clone, Copy, Debug)]
+struct Sheet {
+    pins: &'static [usize],
+    /// Blown at once from the front, cells per tick.
+    speed: f64,
+    /// 1/s
+    drag: f64,
+    substeps: u32,
+}
+
+impl Sheet {
+    /// Runs for `frames` of a sixtieth of a second, then shows every further one, cells, until `seen` has enough.
+    fn run<S: Scalar, V: Solver<S>>(&self, solver: V, frames: u32, mut seen: impl FnMut(&[[f64; 3]]) -> bool) {
+        let units = Units::sheet([SIDE, SIDE], [0.3, 0.3], 1e-3, 1.0 / 60.0, self.substeps);
+        let mut cloth = Cloth::<S, SIDE, SIDE>::hang(&units, units.point([0.0; 3]));
+        cloth.velocity.change(|_| Vec3::from_f64([0.0, self.speed, 0.0]));
+        for &column in self.pins {
+            cloth.pin(Node::new(column, 0));
+        }
+        let forces = (Gravity::new(units.acceleration([0.0, 0.0, -9.81])), Drag::new(units.drag(self.drag)));
+        let links = (
+            Stretch::new(&units, units.compliance(1e-4)),
+            Shear::new(&units, units.compliance(1e-2)),
+            Bend::new(&units, units.compliance(1e-1)),
+        );
+        let scene = Scene::new(&units, forces, links, (), solver);
+        let mut memory = scene.memory::<S, SIDE, SIDE>();
+        (0..frames).for_each(|_| scene.step(&mut cloth, &mut memory));
+        loop {
+            let places: Vec<_> = cloth.position.values().map(Vec3::to_f64).collect();
+            if seen(&places) {
+                break;
+            }
+            scene.step(&mut cloth, &mut memory);
+        }
+    }
+
+    fn after_ten_seconds<S: Scalar, V: Solver<S>>(&self, solver: V) -> Vec<[f64; 3]> {
+        let mut end = Vec::new();
+        self.run::<S, V>(solver, 600, |places| {
+            end = places.to_vec();
+            true
+        });
+        end
+    }
+}
+
+/// The largest distance of two particles that belong together, sheet sizes.
+fn distance(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
+    let apart = |(p, q): (&[f64; 3], &[f64; 3])| (0..3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt();
+    a.iter().zip(b).map(apart).fold(0.0, f64::max) / (SIDE - 1) as f64
+}
+
+/// A sheet on two corners, blown at once and then left to itself in drag.
+const DAMPED: Sheet = Sheet { pins: &[0, SIDE - 1], speed: 0.05, drag: 2.0, substeps: 1 };
+
+fn ten_seconds<V: Solver<f64> + Solver<Q24> + Solver<Q13> + Copy>(solver: V, substeps: u32) {
+    let sheet = Sheet { substeps, ..DAMPED };
+    let exact = sheet.after_ten_seconds::<f64, _>(solver);
+    let [accurate, fast] =
+        [sheet.after_ten_seconds::<Q24, _>(solver), sheet.after_ten_seconds::<Q13, _>(solver)].map(|found| distance(&found, &exact));
+    println!("{substeps} substeps: {accurate:.1e} in q24, {fast:.1e} in q13");
+    assert!(accurate <= 1e-4, "{accurate:e} sheet sizes from f64 in q24");
+    assert!(fast <= 5e-4, "{fast:e} sheet sizes from f64 in q13");
+}
+
+#[test]
+fn after_ten_seconds_fixed_point_is_where_f64_is() {
+    ten_seconds(Xpbd, 8);
+    ten_seconds(Xpbd, 32);
+    ten_seconds(Verlet { sweeps: 8 }, 1);
+    ten_seconds(Lines::<6>::with_sweeps(1), 1);
+    ten_seconds(Lines::<6>::with_sweeps(2), 4);
+}
+
+/// By how much any particle of a sheet that hung for 30 s moves in the next 10 000 steps, along each axis, cells.
+fn wandering<S: Scalar, V: Solver<S>>(solver: V, substeps: u32) -> [f64; 3] {
+    let pins = &[0, SIDE - 1];
+    let mut start = Vec::new();
+    let mut furthest = [0.0_f64; 3];
+    let mut frames = 0;
+    Sheet { pins, speed: 0.0, drag: 5.0, substeps }.run::<S, V>(solver, 1800, |places| {
+        if start.is_empty() {
+            start = places.to_vec();
+        }
+        for (place, start) in places.iter().zip(&start) {
+            for axis in 0..3 {
+                furthest[axis] = furthest[axis].max((place[axis] - start[axis]).abs());
+            }
+        }
+        frames += 1;
+        frames * substeps > 10_000
+    });
+    furthest
+}
+
+#[test]
+fn a_sheet_at_rest_stays_in_its_plane_and_trembles_by_a_few_last_places() {
+    // a last place of an edge in q13 is 2⁻¹³ cells
+    let places = |furthest: [f64; 3], place: f64| furthest.map(|way| way / place);
+    for (solver, [x, y, z], most) in [
+        ("xpbd, q24", places(wandering::<Q24, _>(Xpbd, 8), Q24::RESOLUTION), 10.0),
+        ("verlet, q24", places(wandering::<Q24, _>(Verlet { sweeps: 8 }, 1), Q24::RESOLUTION), 10.0),
+        ("lines, q24", places(wandering::<Q24, _>(Lines::<6>::with_sweeps(1), 1), Q24::RESOLUTION), 64.0),
+        ("xpbd, q13", places(wandering::<Q13, _>(Xpbd, 8), 1.0 / 8192.0), 2.0),
+        ("verlet, q13", places(wandering::<Q13, _>(Verlet { sweeps: 8 }, 1), 1.0 / 8192.0), 2.0),
+        ("lines, q13", places(wandering::<Q13, _>(Lines::<6>::with_sweeps(1), 1), 1.0 / 8192.0), 8.0),
+    ] {
+        println!("{solver}: {x:.1}, {y:.1}, {z:.1} last places");
+        assert!(y == 0.0, "{solver} leaves its plane by {y} last places");
+        assert!(x <= most && z <= most, "{solver} wanders by {x} and {z} last places");
+    }
+}
