@@ -54,6 +54,7 @@ kind = "leapfrog"
 step = 0.1
 substeps = 8
 iterations = 3
+sweeps = 5
 tolerance = 0.01
 strain_limit = 0.1
 [rest]
@@ -109,6 +110,7 @@ fn a_scene_means_what_it_says() {
     assert!((normal[1] - 0.6).abs() < 1e-15 && (normal[2] - 0.8).abs() < 1e-15, "{normal:?}");
     assert_eq!(scene.capsules[0].b, [0.0, 0.0, 1.0]);
     assert_eq!((scene.solver.kind, scene.solver.substeps, scene.solver.iterations), (SolverKind::Leapfrog, 8, 3));
+    assert_eq!(scene.solver.sweeps, Some(5));
     assert_eq!(
         (scene.solver.step, scene.solver.tolerance, scene.solver.strain_limit, scene.frames),
         (0.1, 0.01, Some(0.1), 20)
@@ -131,7 +133,8 @@ fn what_is_left_out_is_off() {
     assert!(scene.sheet.pins.is_empty() && scene.rest.is_none());
     assert_eq!([scene.sheet.mass_at(0, 0), scene.sheet.mass_at(1, 1)], [1.0, 1.0]);
     assert_eq!((scene.gravity, scene.sheet.pose), ([0.0; 3], Pose::Lay));
-    assert_eq!((scene.solver.iterations, scene.solver.tolerance, scene.solver.strain_limit), (1, 0.02, None));
+    let solver = scene.solver;
+    assert_eq!((solver.iterations, solver.sweeps, solver.tolerance, solver.strain_limit), (1, None, 0.02, None));
 }
 
 #[test]
@@ -308,6 +311,7 @@ fn numbers_out_of_range() {
         ("substeps = 8", "substeps = 0", "solver.substeps", "from 1 to 1048576, is 0"),
         ("substeps = 8", "substeps = -8", "solver.substeps", "is -8"),
         ("iterations = 3", "iterations = 0", "solver.iterations", "is 0"),
+        ("sweeps = 5", "sweeps = 0", "solver.sweeps", "is 0"),
         ("tolerance = 0.01", "tolerance = 0.0", "solver.tolerance", "must be above zero"),
         ("speed = 0.002", "speed = 0", "rest.speed", "must be above zero"),
         ("time = 2\n", "time = -2\n", "rest.time", "must be above zero"),

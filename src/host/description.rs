@@ -251,6 +251,8 @@ pub struct Solver {
     pub substeps: u32,
     /// Per substep, relaxation sweeps of position Verlet, pairs of sweeps of lines and Newton steps of backward Euler; the others have none.
     pub iterations: u32,
+    /// Sweeps of lines per substep, in place of `iterations`; the others have none.
+    pub sweeps: Option<u32>,
     /// The strain of a row for which lines spend further sweeps; the others have none.
     pub tolerance: f64,
     /// No link longer than `1 + strain_limit` times its rest length after a step.

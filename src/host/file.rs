@@ -206,6 +206,7 @@ pub(super) struct Solver {
     pub(super) step: Option<Positive>,
     pub(super) substeps: Option<Count>,
     pub(super) iterations: Option<Count>,
+    pub(super) sweeps: Option<Count>,
     pub(super) tolerance: Option<Positive>,
     pub(super) strain_limit: Option<Positive>,
 }

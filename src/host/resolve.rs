@@ -51,6 +51,7 @@ impl File {
                 step,
                 substeps: solver.substeps.map_or(SUBSTEPS, Count::get),
                 iterations: solver.iterations.map_or(1, Count::get),
+                sweeps: solver.sweeps.map(Count::get),
                 tolerance: solver.tolerance.map_or(Lines::new().tolerance, Positive::get),
                 strain_limit: solver.strain_limit.map(Positive::get),
             },

@@ -13,7 +13,7 @@ use crate::cloth::Cloth;
 use crate::grid::{Grid, Node};
 use crate::link::Links;
 use crate::measure::{self, digest, elastic_energy, gravitational_energy, is_finite, kinetic_energy};
-use crate::scalar::{Q24, Scalar};
+use crate::scalar::{Q13, Q24, Scalar};
 use crate::scene::Scene;
 use crate::solver::Solver;
 use crate::units::Units;
@@ -28,11 +28,13 @@ pub enum ScalarKind {
     F64,
     /// Fixed point with 24 fraction bits.
     Q24,
+    /// Fixed point with 24 fraction bits whose links are measured to 13.
+    Q13,
 }
 
 impl ScalarKind {
     /// Every number type.
-    pub const ALL: [Self; 3] = [Self::F32, Self::F64, Self::Q24];
+    pub const ALL: [Self; 4] = [Self::F32, Self::F64, Self::Q24, Self::Q13];
 
     /// Its name.
     pub const fn name(self) -> &'static str {
@@ -40,6 +42,7 @@ impl ScalarKind {
             Self::F32 => f32::NAME,
             Self::F64 => f64::NAME,
             Self::Q24 => Q24::NAME,
+            Self::Q13 => Q13::NAME,
         }
     }
 
@@ -138,6 +141,7 @@ impl Description {
             ScalarKind::F32 => shaped::<f32>(self),
             ScalarKind::F64 => shaped::<f64>(self),
             ScalarKind::Q24 => shaped::<Q24>(self),
+            ScalarKind::Q13 => shaped::<Q13>(self),
         }
     }
 

@@ -53,8 +53,10 @@ impl AnySolver {
             SolverKind::BackwardEuler => Self::BackwardEuler(BackwardEuler { newton_steps: sweeps }),
             SolverKind::Leapfrog => Self::Leapfrog(Leapfrog),
             SolverKind::Xpbd => Self::Xpbd(Xpbd),
-            // there and back
-            SolverKind::Lines => Self::Lines(Lines::with_sweeps(2 * sweeps).within(scene.solver.tolerance)),
+            SolverKind::Lines => {
+                let sweeps = scene.solver.sweeps.unwrap_or(2 * sweeps);
+                Self::Lines(Lines::with_sweeps(sweeps).within(scene.solver.tolerance))
+            }
         })
     }
 }
