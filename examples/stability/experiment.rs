@@ -39,7 +39,7 @@ pub(crate) enum Outcome {
     Held {
         /// The largest strain of a stretch link at the end of a frame.
         strain: f64,
-        /// By how much the energy exceeded that of the start, weights of the sheet times its size.
+        /// By how much the energy exceeded that of the start, weights of the sheet times its size; undefined where the number type holds springs for rigid.
         energy: f64,
     },
 }
@@ -90,7 +90,9 @@ impl Experiment {
                 return Ok(Outcome::Gone);
             }
             strain = strain.max(now);
-            energy = energy.max((moving.energy() - start) / weight);
+            let gain = (moving.energy() - start) / weight;
+            // of rigid springs in fixed point it is undefined
+            energy = if energy.is_nan() || !gain.is_finite() { f64::NAN } else { energy.max(gain) };
         }
         Ok(Outcome::Held { strain, energy })
     }
@@ -130,7 +132,7 @@ pub(crate) fn words(steps: u32) -> String {
          steps with a drag of {} /s. Where an axis does not say otherwise it has {} × {} particles, stretch springs of {} N/m (shear a tenth, bend a hundredth of \
          that) and steps of {:.1} ms. Position Verlet has 4 sweeps, the others their defaults. Strain is the largest of a stretch link at the end of any frame; the gain of \
          energy is the largest over that of the start, in weights of the sheet times its size; what a solver leaves of strain in nearly rigid springs counts.\n\n\
-         *Black*: the sheet is gone, undefined or {FURTHEST} times its size away. *Hatched*: the number type does not hold a value, and the scene is refused. Lines are the \
+         *Black*: the sheet is gone, undefined or {FURTHEST} times its size away. *Hatched*: the number type does not hold a value, and the scene is refused; or it holds springs for rigid, which have no energy. Lines are the \
          limits of theory: h = 2/ω for leapfrog and h = γ/ω² for forward Euler with drag γ, ω² = 4·(k + k_shear)/m; in wind also h = 2/rate with the rate \
          ρ·c·A·v/m at which it takes a particle along: beyond that line wind taken at a step's start would overshoot, were it not bounded.",
         USUAL.drag,

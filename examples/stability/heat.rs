@@ -171,7 +171,10 @@ impl Sheet<'_> {
     /// The colour of a cell, none where a scene is refused.
     fn fill(&self, (outcome, of): &Cell) -> Option<RGBColor> {
         match outcome {
-            Outcome::Held { strain, energy } => Some(self.scale.colour(of(*strain, *energy))),
+            Outcome::Held { strain, energy } => {
+                let value = of(*strain, *energy);
+                value.is_finite().then(|| self.scale.colour(value))
+            }
             Outcome::Gone => Some(BLACK),
             Outcome::NotHeld => None,
         }
@@ -194,7 +197,7 @@ impl Sheet<'_> {
         let refused = [(left, top + 206), (left + 18, top + 220)];
         area.draw(&Rectangle::new(refused, REFUSED.filled()))?;
         area.draw(&PathElement::new(vec![(left, top + 220), (left + 18, top + 206)], HATCH))?;
-        text(area, "refused", (left + 24, top + 213), 13, HPos::Left)?;
+        text(area, "not held", (left + 24, top + 213), 13, HPos::Left)?;
         area.draw(&PathElement::new(
             vec![(left, top + 235), (left + 18, top + 235)],
             RGBColor(0, 114, 178).stroke_width(3),

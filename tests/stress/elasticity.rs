@@ -30,8 +30,6 @@ struct Motion {
 }
 
 impl Thesis {
-    const ALL: [Self; 4] = [Self::Gravity, Self::Sphere, Self::Wind, Self::NoShear];
-
     fn pins(self) -> Vec<[usize; 2]> {
         let last = SIDE - 1;
         match self {
