@@ -39,7 +39,7 @@ use relax::Relax;
 /// them, two for stretch, shear and bend each. Families beyond that start every substep from nothing, which costs accuracy only. At least two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lines<const N: usize = 4> {
-    /// Sweeps in every substep, at least one. More make a substep more accurate: a substep of order 2 needs two.
+    /// Sweeps in every substep, at least one. More make a substep more accurate; the order is 2 with any number.
     pub sweeps: u32,
     /// The largest strain of a row that needs no further sweep. Sheets in motion are strained by about as much.
     pub tolerance: f64,
@@ -57,12 +57,6 @@ impl<const N: usize> Lines<N> {
     #[must_use]
     pub const fn within(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
-    }
-
-    /// The same, with exactly [`sweeps`](Self::sweeps) in a substep.
-    #[must_use]
-    pub const fn and_no_more(self) -> Self {
-        Self { most_sweeps: self.sweeps, ..self }
     }
 }
 

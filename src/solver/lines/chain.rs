@@ -8,8 +8,8 @@
 //! One pass down and one up solve it (L. Thomas, 1949), where Gauss–Seidel carries news one link a sweep. With equal masses and one end free the pivots stay
 //! between a·w and 2·a·w + b.
 //!
-//! Columns are solved side by side, [`LANES`] at a time. A row is solved from both ends to its middle (S. Orszag, 1980, calls it burning at both ends), so that
-//! a mirrored sheet of even width is solved as the mirror image, to the last bit; all of a row but the elimination is done for many links at once.
+//! Columns are solved side by side, [`LANES`] at a time. A row is eliminated from both its ends to its middle (a twisted factorisation), so that a mirrored
+//! sheet of even width is solved as the mirror image, to the last bit; all of a row but the elimination is done for many links at once.
 
 use crate::cloth::Cloth;
 use crate::grid::Grid;
@@ -21,7 +21,7 @@ use crate::vectors;
 
 use super::{displace, displace_row};
 
-/// Columns that are solved side by side: as many as a machine computes at once, and twice that many to keep it busy.
+/// Columns that are solved side by side, where a machine computes several numbers at once: two of its vectors of `f32`.
 const LANES: usize = if cfg!(target_feature = "sse2") || cfg!(target_feature = "neon") { 8 } else { 1 };
 
 /// Links of one kind.
