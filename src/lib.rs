@@ -81,7 +81,7 @@ pub use grid::{Grid, Node};
 pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
 pub use material::Material;
 pub use moment::Moment;
-pub use scalar::{Q24, Scalar};
+pub use scalar::{Fixed24, Q13, Q24, Scalar};
 pub use scene::Scene;
 pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Solver, Verlet, Xpbd};
 pub use units::{Point, Units};

@@ -15,6 +15,7 @@ use crate::units::Strength;
 
 pub use limit::StrainLimited;
 pub use order::each;
+pub(crate) use order::{each_row, in_row};
 pub use spring::{Bend, Damped, Shear, Stretch};
 pub use tether::Tether;
 
@@ -78,10 +79,15 @@ impl<S: Scalar> Quotient<S> {
         self.dividend.divide(self.divisor + self.dividend * inverse_mass)
     }
 
-    /// κ times a factor up to 1.
+    /// κ times a factor up to 1. The larger of dividend and divisor is 1 again.
     #[must_use]
     pub fn scaled(self, factor: S) -> Self {
-        Self { dividend: self.dividend * factor, divisor: self.divisor }
+        let [dividend, divisor] = [self.dividend * factor, self.divisor];
+        if dividend > divisor {
+            Self { dividend: S::ONE, divisor: divisor.divide(dividend) }
+        } else {
+            Self { dividend: dividend.divide(divisor), divisor: S::ONE }
+        }
     }
 }
 

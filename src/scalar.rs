@@ -15,11 +15,11 @@ mod wide;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
-pub use fixed24::Q24;
+pub use fixed24::{Fixed24, Q13, Q24};
 
 /// A number that a sheet can be computed in.
 ///
-/// Implemented for `f32`, `f64` and [`Q24`].
+/// Implemented for `f32`, `f64`, [`Q24`] and [`Q13`].
 pub trait Scalar:
     Copy
     + Debug
@@ -88,6 +88,13 @@ pub trait Scalar:
     /// A product rounded to nearest; saturates in fixed point.
     fn narrow(product: Self::Product) -> Self;
 
+    /// `self · ratio` for `|ratio| ≤ 1`.
+    #[inline]
+    #[must_use]
+    fn scaled(self, ratio: Self) -> Self {
+        self * ratio
+    }
+
     /// The square root of a sum of squares.
     fn root(squares: Self::Product) -> Self;
 
@@ -108,8 +115,21 @@ pub trait Scalar:
     /// The whole number nearest to `self · factor`, ties upward: pixels, tones, depths. The result lies within 32 bits.
     fn round_times(self, factor: i32) -> i32;
 
-    /// `√squares − L` and `1/√squares`: by how much a link is longer than its rest length, and what makes its vector a unit vector.
-    fn gauge(squares: Self::Product, rest: &Rest<Self>) -> (Self, Self);
+    /// What is done to both ends of a link d to undo `part` of its elongation, `part·(1 − L/|d|)·d`.
+    #[inline]
+    fn correction(d: [Self; 3], rest: &Rest<Self>, part: Self) -> [Self; 3] {
+        let part = Self::elongation(squared(d), rest) * part;
+        d.map(|component| component * part)
+    }
+
+    /// `|d| − L` and `d/|d|`: by how much a link is longer than its rest length, and its direction.
+    fn direction(d: [Self; 3], rest: &Rest<Self>) -> (Self, [Self; 3]);
+
+    /// The cosine of the angle between two directions.
+    #[inline]
+    fn cosine(a: [Self; 3], b: [Self; 3]) -> Self {
+        Self::narrow(a[0].product(b[0]) + a[1].product(b[1]) + a[2].product(b[2]))
+    }
 
     /// Adds a product to a sum.
     fn accumulate(sum: Self::Sum, product: Self::Product) -> Self::Sum;
@@ -148,11 +168,18 @@ pub trait Scalar:
     }
 }
 
+#[inline]
+fn squared<S: Scalar>([x, y, z]: [S; 3]) -> S::Product {
+    x.product(x) + y.product(y) + z.product(z)
+}
+
 /// A link's rest length, prepared for [`Scalar::elongation`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rest<S> {
     /// The length, cells.
     pub length: S,
+    /// `length²`.
+    pub square: S,
     /// `1/length`.
     pub inverse: S,
     /// `1/length²`.
@@ -164,6 +191,7 @@ impl<S: Scalar> Rest<S> {
     pub fn spanning(across: S, down: S) -> Self {
         let square = across.product(across) + down.product(down);
         let length = S::root(square);
-        Self { length, inverse: length.recip(), inverse_square: S::narrow(square).recip() }
+        let square = S::narrow(square);
+        Self { length, square, inverse: S::ONE.divide(length), inverse_square: S::ONE.divide(square) }
     }
 }

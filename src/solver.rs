@@ -18,6 +18,7 @@ mod force_sum;
 mod forward_euler;
 mod leapfrog;
 mod lines;
+mod ordinary;
 mod predict;
 mod sweep;
 mod verlet;

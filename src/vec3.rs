@@ -2,7 +2,7 @@
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
-use crate::scalar::Scalar;
+use crate::scalar::{Rest, Scalar};
 
 /// A vector (x, y, z); z points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -78,6 +78,50 @@ impl<S: Scalar> Vec3<S> {
     #[inline]
     pub fn length(self) -> S {
         S::root(self.squared())
+    }
+
+    /// `self · ratio` for `|ratio| ≤ 1`.
+    #[inline(always)]
+    #[must_use]
+    pub fn scaled(self, ratio: S) -> Self {
+        self.map(|component| component.scaled(ratio))
+    }
+
+    /// The vector of length `length` in this direction.
+    #[inline(always)]
+    #[must_use]
+    pub fn of_length(self, length: S) -> Self {
+        self.map(|component| length.scaled(component))
+    }
+
+    /// What [`Scalar::correction`] makes of this edge.
+    #[inline(always)]
+    #[must_use]
+    pub fn correction(self, rest: &Rest<S>, part: S) -> Self {
+        Self::of(S::correction(self.array(), rest, part))
+    }
+
+    /// `|self| − L` and `self/|self|`.
+    #[inline(always)]
+    pub fn direction(self, rest: &Rest<S>) -> (S, Self) {
+        let (excess, normal) = S::direction(self.array(), rest);
+        (excess, Self::of(normal))
+    }
+
+    /// The cosine of the angle between two directions.
+    #[inline(always)]
+    pub fn cosine(self, other: Self) -> S {
+        S::cosine(self.array(), other.array())
+    }
+
+    #[inline(always)]
+    fn of([x, y, z]: [S; 3]) -> Self {
+        Self { x, y, z }
+    }
+
+    #[inline(always)]
+    fn array(self) -> [S; 3] {
+        [self.x, self.y, self.z]
     }
 
     /// This vector if `this`, else the other one, without a branch.

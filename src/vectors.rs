@@ -88,6 +88,36 @@ impl<S: Scalar, const W: usize> Vec3<[S; W]> {
     }
 }
 
+/// Whether the machine computes several numbers at once: then rows are computed as a whole, what their ends lack included.
+pub(crate) const SIDE_BY_SIDE: bool = cfg!(any(target_feature = "sse2", target_feature = "neon"));
+
+/// The columns of a row, or where numbers are computed one by one those among them that have one `AHEAD` to the right and one `BEHIND` to the left.
+pub(crate) const fn columns<const AHEAD: usize, const BEHIND: usize, const W: usize>() -> core::ops::Range<usize> {
+    if SIDE_BY_SIDE { 0..W } else { BEHIND..W.saturating_sub(AHEAD) }
+}
+
+/// What stands `BY < W` columns to the right; beyond the last nothing, or the first.
+#[inline(always)]
+pub(crate) fn ahead<const BY: usize, S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> impl Fn(usize) -> Vec3<S> {
+    let shifted = row.components(left::<BY, S, W>);
+    move |column| match column + BY < W {
+        _ if SIDE_BY_SIDE => shifted.at(column),
+        true => row.at(column + BY),
+        false => Vec3::ZERO,
+    }
+}
+
+/// What stands `BY < W` columns to the left; before the first nothing, or the last.
+#[inline(always)]
+pub(crate) fn behind<const BY: usize, S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> impl Fn(usize) -> Vec3<S> {
+    let shifted = row.components(right::<BY, S, W>);
+    move |column| match column >= BY {
+        _ if SIDE_BY_SIDE => shifted.at(column),
+        true => row.at(column - BY),
+        false => Vec3::ZERO,
+    }
+}
+
 /// Each column has what was `BY < W` columns to its right; the first come last.
 #[inline(always)]
 pub(crate) fn left<const BY: usize, S: Scalar, const W: usize>(row: &[S; W]) -> [S; W] {

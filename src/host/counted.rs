@@ -138,11 +138,19 @@ impl SubAssign for Counted {
     }
 }
 
-/// What `f32` does in [`Scalar::elongation`] and [`Scalar::gauge`]: a floor, a root, a quotient and a difference.
+/// What [`Scalar::direction`] does besides: a squared length, and a vector by a number.
+const DIRECTION: Operations = Operations { additions: 2, products: 6, ..Operations::NONE };
+
+/// What `f32` does in [`Scalar::elongation`] and [`Scalar::direction`]: a floor, a root, a quotient and a difference.
 const GAUGE: Operations = Operations { additions: 1, quotients: 1, roots: 1, comparisons: 1, ..Operations::NONE };
 
 fn plain(rest: Rest<Counted>) -> Rest<f32> {
-    Rest { length: rest.length.0, inverse: rest.inverse.0, inverse_square: rest.inverse_square.0 }
+    Rest {
+        length: rest.length.0,
+        square: rest.square.0,
+        inverse: rest.inverse.0,
+        inverse_square: rest.inverse_square.0,
+    }
 }
 
 impl Scalar for Counted {
@@ -225,10 +233,10 @@ impl Scalar for Counted {
         self.0.round_times(factor)
     }
     #[inline]
-    fn gauge(squares: Self, rest: &Rest<Self>) -> (Self, Self) {
-        Self::did(GAUGE);
-        let (longer, unit) = f32::gauge(squares.0, &plain(*rest));
-        (Self(longer), Self(unit))
+    fn direction(d: [Self; 3], rest: &Rest<Self>) -> (Self, [Self; 3]) {
+        Self::did(GAUGE.and(DIRECTION));
+        let (longer, along) = f32::direction(d.map(|component| component.0), &plain(*rest));
+        (Self(longer), along.map(Self))
     }
     #[inline]
     fn accumulate(sum: Self, product: Self) -> Self {

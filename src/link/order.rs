@@ -5,22 +5,38 @@ use crate::grid::Node;
 /// Calls `visit` with both ends of every link of offset `ACROSS`, `DOWN` in a sheet of `W` × `H` particles; where neither is zero,
 /// both diagonals of the box.
 ///
-/// Links are coloured: links of one colour share no particle, except that they are all visited before the next colour. So a
-/// mirrored sheet of even width is relaxed as the mirror image, to the last bit, where sweeping from left to right would lean to one side.
+/// Links are coloured: links of one colour share no particle. So a mirrored sheet of even width is relaxed as the mirror image, to the last bit, where
+/// sweeping from left to right would lean to one side.
 #[inline]
 pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usize>(mut visit: impl FnMut(Node, Node)) {
+    each_row::<DOWN, H>(|row| {
+        in_row::<ACROSS, DOWN, W>(|a, b| {
+            visit(Node { column: a, row }, Node { column: b, row: row + DOWN });
+        });
+    });
+}
+
+/// Calls `visit` with every row in which links of extent `DOWN` start: rows whose links share a particle lie in two colours, one after the other.
+#[inline(always)]
+pub(crate) fn each_row<const DOWN: usize, const H: usize>(mut visit: impl FnMut(usize)) {
+    for colour in 0..colours(DOWN) {
+        coloured::<DOWN>(colour, H, &mut visit);
+    }
+}
+
+/// Calls `visit` with the columns of both ends of the links that start in a row.
+#[inline(always)]
+pub(crate) fn in_row<const ACROSS: usize, const DOWN: usize, const W: usize>(mut visit: impl FnMut(usize, usize)) {
     const { assert!(ACROSS + DOWN > 0, "a link needs two particles") };
-    for row_colour in 0..colours(DOWN) {
-        for column_colour in 0..colours(ACROSS) {
-            coloured::<DOWN>(row_colour, H, |row| {
-                coloured::<ACROSS>(column_colour, W, |column| {
-                    visit(Node { column, row }, Node { column: column + ACROSS, row: row + DOWN });
-                    if ACROSS > 0 && DOWN > 0 {
-                        visit(Node { column: column + ACROSS, row }, Node { column, row: row + DOWN });
-                    }
-                });
-            });
-        }
+    let sides: &[bool] = if ACROSS > 0 && DOWN > 0 { &[false, true] } else { &[false] };
+    for colour in 0..colours(ACROSS) {
+        coloured::<ACROSS>(colour, W, |column| {
+            // one call for both diagonals, so that it is inlined and knows its bounds
+            for &mirrored in sides {
+                let (a, b) = if mirrored { (column + ACROSS, column) } else { (column, column + ACROSS) };
+                visit(a, b);
+            }
+        });
     }
 }
 

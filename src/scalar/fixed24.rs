@@ -1,54 +1,82 @@
-//! `Q24`: 8 bits before the point, 24 after it.
+//! Fixed point with 8 bits before the point and 24 after it.
 
+mod exact;
+mod kernel;
+mod newton;
+mod short;
+
+use core::marker::PhantomData;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use fixed::types::I8F24;
 
 use super::wide::Wide;
 use super::{Rest, Scalar};
+use newton::inverse_root_wide;
 
-/// A fixed-point number from −128 to 128 in steps of 2⁻²⁴ (6·10⁻⁸).
+use exact::Exact;
+use kernel::Kernel;
+use short::Short;
+
+/// A fixed-point number from −128 to 128 in steps of 2⁻²⁴ (6·10⁻⁸), whose products, quotients and links are computed as `K` does.
 ///
 /// Sums wrap, products are rounded to nearest. (The operators of the crate `fixed` round towards −∞, which pushes a sheet at rest
 /// sideways.) Lengths are counted in cells: a sheet may move through 128 cells to either side of the origin.
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Q24(I8F24);
+pub struct Fixed24<K>(I8F24, PhantomData<K>);
+
+/// The accurate one: results are right to 6·10⁻⁸ cells, for which a link needs 64-bit products.
+pub type Q24 = Fixed24<Exact>;
+
+/// The fast one: links are measured to 13 fraction bits, 6·10⁻⁵ cells, for which 32-bit products do. All else has the 24 bits of [`Q24`].
+///
+/// Links strained by more than 6 %, or shorter than half a cell, take the way of [`Q24`].
+pub type Q13 = Fixed24<Short>;
 
 const FRACTION: u32 = 24;
 
-impl Q24 {
+/// The bits of one.
+const ONE: i32 = 1 << FRACTION;
+
+impl<K> Fixed24<K> {
     /// The number with these bits, `bits / 2²⁴`.
     #[inline]
     pub const fn from_bits(bits: i32) -> Self {
-        Self(I8F24::from_bits(bits))
+        Self(I8F24::from_bits(bits), PhantomData)
     }
 
     /// The number's bits, `value · 2²⁴`.
     #[inline]
-    pub const fn to_bits(self) -> i32 {
+    pub const fn to_bits(self) -> i32
+    where
+        K: Copy,
+    {
         self.0.to_bits()
     }
 
     /// The same number as a type of the crate `fixed`.
-    pub const fn to_fixed(self) -> I8F24 {
+    pub const fn to_fixed(self) -> I8F24
+    where
+        K: Copy,
+    {
         self.0
     }
 }
 
-impl core::fmt::Debug for Q24 {
+impl<K> core::fmt::Debug for Fixed24<K> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         core::fmt::Debug::fmt(&self.0, f)
     }
 }
 
 #[cfg(feature = "defmt")]
-impl defmt::Format for Q24 {
+impl<K: Kernel> defmt::Format for Fixed24<K> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "{}p-24", self.to_bits());
     }
 }
 
-impl Add for Q24 {
+impl<K: Kernel> Add for Fixed24<K> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -56,7 +84,7 @@ impl Add for Q24 {
     }
 }
 
-impl Sub for Q24 {
+impl<K: Kernel> Sub for Fixed24<K> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -64,15 +92,15 @@ impl Sub for Q24 {
     }
 }
 
-impl Mul for Q24 {
+impl<K: Kernel> Mul for Fixed24<K> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        Self::from_bits(round(self.product(other).signed()) as i32)
+        Self::from_bits(K::multiply(self.to_bits(), other.to_bits()))
     }
 }
 
-impl Neg for Q24 {
+impl<K: Kernel> Neg for Fixed24<K> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -80,14 +108,14 @@ impl Neg for Q24 {
     }
 }
 
-impl AddAssign for Q24 {
+impl<K: Kernel> AddAssign for Fixed24<K> {
     #[inline]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl SubAssign for Q24 {
+impl<K: Kernel> SubAssign for Fixed24<K> {
     #[inline]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
@@ -101,115 +129,39 @@ const fn round(product: i64) -> i64 {
 }
 
 #[inline]
-fn saturate(bits: i64) -> Q24 {
-    Q24::from_bits(bits.clamp(-i64::from(i32::MAX), i64::from(i32::MAX)) as i32)
+fn saturate(bits: i64) -> i32 {
+    bits.clamp(-i64::from(i32::MAX), i64::from(i32::MAX)) as i32
 }
 
-/// `1/√m` for `1 ≤ m < 4` with 30 fraction bits; the result lies in (½, 1] and has 31 fraction bits (1 is 2³¹).
-///
-/// A straight line, at most 9 % off, and four steps of Newton's method for `y⁻² = m`, each of which turns the relative error ε
-/// into 1.5·ε²: 1.2e-2, 2.2e-4, 7e-8, < 2⁻³¹. No division, no table.
-#[inline]
-fn inverse_root(m: u32) -> u32 {
-    const START: u64 = (1.07 * (1_u64 << 31) as f64) as u64;
-    const SLOPE: u64 = (0.153 * (1_u64 << 32) as f64) as u64;
-    let m = u64::from(m);
-    let mut y = START - ((m * SLOPE) >> 31);
-    for _ in 0..4 {
-        let square = (y * y) >> 31;
-        let defect = (3_u64 << 31) - ((square * m) >> 30);
-        y = (y * defect) >> 32;
-    }
-    y.min(1 << 31) as u32
-}
-
-/// `(y, e)` with `1/√x = y · 2^e`, where `y` has 31 fraction bits and lies in (½, 1]; `x > 0` with 48 fraction bits.
-#[inline]
-fn inverse_root_wide(x: u64) -> (u32, i32) {
-    // x = m · 4^half with 1 ≤ m < 4
-    let half = (63 - x.leading_zeros() as i32 - 48).div_euclid(2);
-    let shift = 2 * half + 18;
-    let m = if shift >= 0 { x >> shift } else { x << -shift };
-    (inverse_root(m as u32), -half)
-}
-
-/// `squares/L²` by 1/L², near one, with 48 fraction bits; it saturates at 2¹⁵, that is 181 rest lengths, where an elongation is 0.9945.
-#[inline]
-fn ratio(squares: u64, inverse_square: Q24) -> u64 {
-    let inverse = inverse_square.to_bits() as u64;
-    if squares < 1 << 54 {
-        // the product needs up to 86 bits: its upper and its lower part apart
-        ((squares >> FRACTION) * inverse + (((squares & 0xff_ffff) * inverse) >> FRACTION)).max(1)
-    } else {
-        ((u128::from(squares) * u128::from(inverse)) >> FRACTION).min(u128::from(u64::MAX >> 1)) as u64
-    }
-}
-
-/// `1/√ratio` with 24 fraction bits, rounded to nearest.
-#[inline]
-fn inverse_stretch(ratio: u64) -> i64 {
-    let (y, e) = inverse_root_wide(ratio);
-    // y has 31 fraction bits
-    let drop = 7 - e;
-    if drop > 0 { ((i64::from(y) >> (drop - 1)) + 1) >> 1 } else { i64::from(y) << -drop }
-}
-
-/// The largest |e| of [`near_rest`], with 29 fraction bits: links stretched or shortened by up to 1.5 %.
-const NEAR: i32 = 1 << 24;
-
-/// e with `squares/L² = 1 + e` and 29 fraction bits, for a link near its rest length up to 2.8 cells: nearly all links at nearly all times.
-#[inline(always)]
-fn near_rest(squares: u64, inverse_square: Q24) -> Option<i32> {
-    if squares >> 51 != 0 {
-        return None;
-    }
-    let ratio = ((squares >> 19) * inverse_square.to_bits() as u64) >> FRACTION;
-    let e = (ratio as u32).wrapping_sub(1 << 29) as i32;
-    (ratio >> 31 == 0 && -NEAR < e && e < NEAR).then_some(e)
-}
-
-/// `e·(1/2 − e·(c₂ − e·(c₃ − e·c₄)))` with 24 fraction bits, |e| ≤ 1/32 with 29.
-///
-/// Every product keeps its upper word, which takes no shift: e with 36 fraction bits makes one of 32 − 36 = −4 fraction bits less than its other factor, so the
-/// coefficients have 24, 20, 16 and 12 of them, which they all fit, and the result has 28. Cut off, they leave an error of 0.1 units of the last place.
-#[inline(always)]
-fn series(e: i32, [c2, c3, c4]: [f64; 3]) -> Q24 {
-    let e = i64::from(e << 7);
-    let times = |factor: i32| ((e * i64::from(factor)) >> 32) as i32;
-    let c3 = (c3 * (1 << 16) as f64) as i32 - times((c4 * (1 << 12) as f64) as i32);
-    let c2 = (c2 * (1 << 20) as f64) as i32 - times(c3);
-    let result = times((1 << 23) - times(c2));
-    Q24::from_bits((result + 8) >> 4)
-}
-
-/// Full range, out of the way of the rest.
+/// `a/b`, to the last place; `b ≠ 0`.
 #[inline(never)]
-#[cold]
-fn far_elongation(squares: u64, rest: &Rest<Q24>) -> Q24 {
-    if squares == 0 {
-        return Q24::ZERO;
-    }
-    saturate((1 << FRACTION) - inverse_stretch(ratio(squares, rest.inverse_square)))
+fn divide(a: i32, b: i32) -> i32 {
+    // |b| = m·2^(7 − zeros) with 1 ≤ m < 2
+    let zeros = b.unsigned_abs().leading_zeros();
+    let inverse = newton::reciprocal(b.unsigned_abs() << zeros);
+    let quotient = i64::from(a) * i64::from(inverse);
+    let quotient = saturate(((quotient >> (38 - zeros)) + 1) >> 1);
+    if b < 0 { -quotient } else { quotient }
 }
 
-/// Full range, out of the way of the rest.
-#[inline(never)]
-#[cold]
-fn far_gauge(squares: u64, rest: &Rest<Q24>) -> (Q24, Q24) {
-    if squares == 0 {
-        return (-rest.length, Q24::ZERO);
+/// The root of a sum of squares with 48 fraction bits.
+#[inline]
+fn root(x: u64) -> i32 {
+    if x == 0 {
+        return 0;
     }
-    let inverse = saturate(inverse_stretch(ratio(squares, rest.inverse_square)));
-    (Q24::root(Wide::new(squares as i64)) - rest.length, inverse * rest.inverse)
+    // √x = x · 1/√x, with the exponents kept apart so that nothing is lost
+    let (y, e) = inverse_root_wide(x);
+    let normal = x.leading_zeros();
+    let product = ((u128::from(x << normal) * u128::from(y)) >> 64) as u64;
+    // x has 48 fraction bits and `normal` more, y has 31, the product 64 fewer, the result 24
+    let drop = 48 + normal as i32 + 31 - 64 - FRACTION as i32 - e;
+    let bits = if drop > 0 { ((product >> (drop - 1)) + 1) >> 1 } else { product << -drop };
+    saturate(bits as i64)
 }
 
-/// Of `1 − 1/√(1 + e)`, the next term would be 63/256·e⁵ < 0.13 units.
-const ELONGATION: [f64; 3] = [3.0 / 8.0, 5.0 / 16.0, 35.0 / 128.0];
-/// Of `√(1 + e) − 1`, the next term would be 7/256·e⁵ < 0.02 units.
-const EXCESS: [f64; 3] = [1.0 / 8.0, 1.0 / 16.0, 5.0 / 128.0];
-
-impl Scalar for Q24 {
-    const NAME: &'static str = "q24";
+impl<K: Kernel> Scalar for Fixed24<K> {
+    const NAME: &'static str = K::NAME;
     const ZERO: Self = Self::from_bits(0);
     const ONE: Self = Self::from_bits(1 << FRACTION);
     const HALF: Self = Self::from_bits(1 << (FRACTION - 1));
@@ -276,28 +228,25 @@ impl Scalar for Q24 {
 
     #[inline]
     fn narrow(product: Wide) -> Self {
-        saturate(round(product.signed()))
+        Self::from_bits(saturate(round(product.signed())))
+    }
+
+    #[inline]
+    fn scaled(self, ratio: Self) -> Self {
+        Self::from_bits(K::scaled(self.to_bits(), ratio.to_bits()))
     }
 
     #[inline]
     fn root(squares: Wide) -> Self {
-        let x = squares.squares();
-        if x == 0 {
-            return Self::ZERO;
-        }
-        // √x = x · 1/√x, with the exponents kept apart so that nothing is lost
-        let (y, e) = inverse_root_wide(x);
-        let normal = x.leading_zeros();
-        let product = ((u128::from(x << normal) * u128::from(y)) >> 64) as u64;
-        // x has 48 fraction bits and `normal` more, y has 31, the product 64 fewer, the result 24
-        let drop = 48 + normal as i32 + 31 - 64 - FRACTION as i32 - e;
-        let bits = if drop > 0 { ((product >> (drop - 1)) + 1) >> 1 } else { product << -drop };
-        saturate(bits as i64)
+        Self::from_bits(root(squares.squares()))
     }
 
     #[inline]
     fn recip(self) -> Self {
-        Self::ONE.divide(self)
+        if self <= Self::ZERO {
+            return Self::ONE.divide(self);
+        }
+        Self::from_bits(K::reciprocal(self.to_bits()))
     }
 
     #[inline]
@@ -305,27 +254,28 @@ impl Scalar for Q24 {
         if divisor == Self::ZERO {
             return Self::from_bits(if self < Self::ZERO { -i32::MAX } else { i32::MAX });
         }
-        let dividend = i64::from(self.to_bits()) << (FRACTION + 1);
-        let twice = dividend / i64::from(divisor.to_bits());
-        saturate((twice + 1) >> 1)
+        Self::from_bits(divide(self.to_bits(), divisor.to_bits()))
     }
 
     #[inline]
     fn elongation(squares: Wide, rest: &Rest<Self>) -> Self {
-        let squares = squares.squares();
-        match near_rest(squares, rest.inverse_square) {
-            Some(e) => series(e, ELONGATION),
-            None => far_elongation(squares, rest),
-        }
+        Self::from_bits(exact::elongation(squares.squares(), rest))
     }
 
     #[inline]
-    fn gauge(squares: Wide, rest: &Rest<Self>) -> (Self, Self) {
-        let squares = squares.squares();
-        match near_rest(squares, rest.inverse_square) {
-            Some(e) => (series(e, EXCESS) * rest.length, rest.inverse - series(e, ELONGATION) * rest.inverse),
-            None => far_gauge(squares, rest),
-        }
+    fn correction(d: [Self; 3], rest: &Rest<Self>, part: Self) -> [Self; 3] {
+        K::correction(d.map(Self::to_bits), rest, part.to_bits()).map(Self::from_bits)
+    }
+
+    #[inline]
+    fn direction(d: [Self; 3], rest: &Rest<Self>) -> (Self, [Self; 3]) {
+        let (excess, normal) = K::direction(d.map(Self::to_bits), rest);
+        (Self::from_bits(excess), normal.map(Self::from_bits))
+    }
+
+    #[inline]
+    fn cosine(a: [Self; 3], b: [Self; 3]) -> Self {
+        Self::from_bits(K::cosine(a.map(Self::to_bits), b.map(Self::to_bits)))
     }
 
     #[inline]

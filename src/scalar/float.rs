@@ -75,9 +75,10 @@ macro_rules! float {
                 $floor(self * factor as Self + 0.5) as i32
             }
             #[inline]
-            fn gauge(squares: Self, rest: &Rest<Self>) -> (Self, Self) {
-                let length = $sqrt(Scalar::max(squares, $tiny));
-                (length - rest.length, 1.0 / length)
+            fn direction([x, y, z]: [Self; 3], rest: &Rest<Self>) -> (Self, [Self; 3]) {
+                let length = $sqrt(Scalar::max(x * x + y * y + z * z, $tiny));
+                let inverse = 1.0 / length;
+                (length - rest.length, [x * inverse, y * inverse, z * inverse])
             }
             #[inline]
             fn accumulate(sum: Self, product: Self) -> Self {

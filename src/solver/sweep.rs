@@ -4,25 +4,86 @@
 //! simulation of compliant constrained dynamics*, 2016, equation 18 with α̃ = 1/κ).
 
 use crate::cloth::Cloth;
-use crate::link::{Family, Links, Visitor, each};
+use crate::grid::Node;
+use crate::link::{Family, Links, Quotient, Visitor, each_row, in_row};
 use crate::moment::Moment;
-use crate::scalar::Scalar;
+use crate::scalar::{Rest, Scalar};
+use crate::solver::ordinary::Ordinary;
+use crate::vec3::Vec3;
 
-/// Projects every spring once, at one part in `parts` of its stiffness.
+/// Projects every spring `parts` times, each time at one part in `parts` of its stiffness.
 #[inline]
-pub(super) fn sweep<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
+pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     links: &L,
     cloth: &mut Cloth<S, W, H>,
     moment: Moment,
     parts: u32,
 ) {
-    links.springs(&mut Project { cloth, moment, parts });
+    let ordinary = Ordinary::new(cloth).rows;
+    // sums in fixed point are exact: velocities that take part in every correction and those that are completed at the end are the same
+    if !S::FLOATS {
+        carry(cloth, |position, velocity| velocity - moment.velocity(position));
+    }
+    for _ in 0..parts {
+        links.springs(&mut Project { cloth, moment, parts, ordinary });
+    }
+    if !S::FLOATS {
+        carry(cloth, |position, velocity| velocity + moment.velocity(position));
+    }
+}
+
+/// Changes all velocities.
+#[inline(always)]
+fn carry<S: Scalar, const W: usize, const H: usize>(
+    cloth: &mut Cloth<S, W, H>,
+    change: impl Fn(Vec3<S>, Vec3<S>) -> Vec3<S>,
+) {
+    for (position, velocity) in cloth.position.0.iter().zip(&mut cloth.velocity.0) {
+        for column in 0..W {
+            velocity.set(column, change(position.at(column), velocity.at(column)));
+        }
+    }
 }
 
 struct Project<'a, S, const W: usize, const H: usize> {
     cloth: &'a mut Cloth<S, W, H>,
     moment: Moment,
     parts: u32,
+    /// Rows of nothing but particles of mass 1: their masses need not be looked at.
+    ordinary: [bool; H],
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
+    /// Projects a link between particles of mass 1.
+    #[inline(always)]
+    fn join(&mut self, a: Node, b: Node, rest: &Rest<S>, part: S) {
+        let by = (self.cloth.position.at(b) - self.cloth.position.at(a)).correction(rest, part);
+        self.displace(a, by);
+        self.displace(b, -by);
+    }
+
+    /// Projects a link between particles of any mass.
+    #[inline(always)]
+    fn join_any(&mut self, a: Node, b: Node, rest: &Rest<S>, strength: Quotient<S>, part: S) {
+        let [wa, wb] = [a, b].map(|node| self.cloth.inverse_mass[node]);
+        if wa == S::ONE && wb == S::ONE {
+            self.join(a, b, rest, part);
+        } else if wa + wb != S::ZERO {
+            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
+            let by = d.correction(rest, strength.against(wa + wb));
+            self.displace(a, by * wa);
+            self.displace(b, -(by * wb));
+        }
+    }
+
+    #[inline(always)]
+    fn displace(&mut self, node: Node, by: Vec3<S>) {
+        if S::FLOATS {
+            self.cloth.displace(node, by, self.moment);
+        } else {
+            self.cloth.position.add(node, by);
+        }
+    }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W, H> {
@@ -34,17 +95,13 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W,
             family.strength.scaled(S::from_int(self.parts as i32).recip())
         };
         // nearly all links join two ordinary particles: their quotient is formed once, and their masses need no product
-        let ordinary = strength.against(S::ONE + S::ONE);
-        each::<ACROSS, DOWN, W, H>(|a, b| {
-            let [wa, wb] = [self.cloth.inverse_mass[a], self.cloth.inverse_mass[b]];
-            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
-            let elongation = S::elongation(d.squared(), &family.rest);
-            if wa == S::ONE && wb == S::ONE {
-                let by = d * (elongation * ordinary);
-                self.cloth.displace(a, by, self.moment);
-                self.cloth.displace(b, -by, self.moment);
-            } else if wa + wb != S::ZERO {
-                self.cloth.pull(a, b, d * (elongation * strength.against(wa + wb)), self.moment);
+        let part = strength.against(S::ONE + S::ONE);
+        each_row::<DOWN, H>(|row| {
+            let node = |column, down| Node { column, row: row + down };
+            if self.ordinary[row] && self.ordinary[row + DOWN] {
+                in_row::<ACROSS, DOWN, W>(|a, b| self.join(node(a, 0), node(b, DOWN), &family.rest, part));
+            } else {
+                in_row::<ACROSS, DOWN, W>(|a, b| self.join_any(node(a, 0), node(b, DOWN), &family.rest, strength, part));
             }
         });
     }

@@ -37,9 +37,7 @@ impl<S: Scalar> Solver<S> for Verlet {
         predict::predict(physics.forces, cloth, moment.shift, |velocity, gain| {
             if F::DRAG { velocity * decay + gain } else { velocity + gain }
         });
-        for _ in 0..self.sweeps {
-            sweep::sweep(physics.links, cloth, moment, self.sweeps);
-        }
+        sweep::sweeps(physics.links, cloth, moment, self.sweeps);
         confine(physics, cloth, moment);
     }
 }

@@ -32,7 +32,7 @@ impl<S: Scalar> Solver<S> for Xpbd {
         predict::predict(physics.forces, cloth, moment.shift, |velocity, gain| {
             if F::DRAG { velocity * drag.decay + gain * drag.gain } else { velocity + gain }
         });
-        sweep::sweep(physics.links, cloth, moment, 1);
+        sweep::sweeps(physics.links, cloth, moment, 1);
         confine(physics, cloth, moment);
     }
 }

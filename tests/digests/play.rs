@@ -26,6 +26,7 @@ pub(crate) const NUMBERS: &[Number] = &[
     #[cfg(not(target_os = "none"))]
     number::<f64>(),
     number::<Q24>(),
+    number::<Q13>(),
 ];
 
 /// What moves the sheet.

@@ -16,19 +16,21 @@ use crate::grid::Grid;
 use crate::link::Quotient;
 use crate::moment::Moment;
 use crate::scalar::{Rest, Scalar};
+use crate::solver::ordinary::Ordinary;
 use crate::vec3::Vec3;
-use crate::vectors;
+use crate::vectors::{SIDE_BY_SIDE, ahead, behind, columns};
 
 use super::{displace, displace_row};
 
 /// Columns that are solved side by side, where a machine computes several numbers at once: two of its vectors of `f32`.
-const LANES: usize = if cfg!(target_feature = "sse2") || cfg!(target_feature = "neon") { 8 } else { 1 };
+const LANES: usize = if SIDE_BY_SIDE { 8 } else { 1 };
 
 /// Links of one kind.
-pub(super) struct Chain<'a, S> {
+pub(super) struct Chain<'a, S, const W: usize, const H: usize> {
     pub(super) rest: &'a Rest<S>,
     pub(super) strength: Quotient<S>,
     pub(super) moment: Moment,
+    pub(super) ordinary: &'a Ordinary<W, H>,
 }
 
 /// What elimination leaves of one link's equation: the change of its multiplier is `right + factor · (change of the next)`.
@@ -43,62 +45,79 @@ impl<S: Scalar> Eliminated<S> {
 
     /// The next link, and the factor of its change in this one's.
     #[inline(always)]
-    fn next(self, diagonal: S, coupling: S, residual: S) -> (Self, S) {
-        let factor = coupling * self.pivot;
-        let pivot = (diagonal - coupling * factor).recip();
-        (Self { pivot, right: (residual + coupling * self.right) * pivot }, factor)
+    fn next<const ORDINARY: bool>(self, diagonal: S, coupling: S, residual: S) -> (Self, S) {
+        let factor = times::<ORDINARY, S>(coupling, self.pivot);
+        let pivot = (diagonal - times::<ORDINARY, S>(factor, coupling)).recip();
+        let right = times::<ORDINARY, S>(residual + times::<ORDINARY, S>(self.right, coupling), pivot);
+        (Self { pivot, right }, factor)
     }
 }
 
-impl<S: Scalar> Chain<'_, S> {
+/// A product with a pivot, a coupling or a factor. Where all masses are 1 none of them is larger than 1: pivots are at least `a + b`, of which the larger is 1.
+#[inline(always)]
+fn times<const ORDINARY: bool, S: Scalar>(x: S, ratio: S) -> S {
+    if ORDINARY { x.scaled(ratio) } else { x * ratio }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     /// Solves every row. Returns the largest difference between a link's length and rest length that it met.
-    pub(super) fn rows<const W: usize, const H: usize>(
-        &self,
-        cloth: &mut Cloth<S, W, H>,
-        tension: &mut Grid<S, W, H>,
-    ) -> S {
+    pub(super) fn rows(&self, cloth: &mut Cloth<S, W, H>, tension: &mut Grid<S, W, H>) -> S {
         let mut worst = S::ZERO;
         if W > 1 {
             for row in 0..H {
-                worst = worst.max(self.row(cloth, row, &mut tension.0[row]));
+                let tension = &mut tension.0[row];
+                worst = worst.max(if self.ordinary.rows[row] {
+                    self.row::<true>(cloth, row, tension)
+                } else {
+                    self.row::<false>(cloth, row, tension)
+                });
             }
         }
         worst
     }
 
     #[inline]
-    fn row<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
+    fn row<const ORDINARY: bool>(&self, cloth: &mut Cloth<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
         let Quotient { dividend, divisor } = self.strength;
         let (links, middle) = (W - 1, (W - 1) / 2);
         let x = &cloth.position.0[row];
-        let w = cloth.inverse_mass.0[row].map(|w| w * dividend);
+        let w = cloth.inverse_mass.0[row];
         let mut normal = Vec3::row(Vec3::ZERO);
         let [mut residual, mut diagonal, mut coupling, mut change] = [[S::ZERO; W]; 4];
         let mut worst = S::ZERO;
-        let next = x.components(vectors::left::<1, S, W>);
-        let w_next = vectors::left::<1, S, W>(&w);
-        for k in 0..W {
-            let d = next.at(k) - x.at(k);
-            let (excess, inverse) = S::gauge(d.squared(), self.rest);
-            residual[k] = excess - divisor * tension[k];
-            diagonal[k] = w[k] + w_next[k] + divisor;
-            normal.set(k, d * inverse);
+        {
+            let next = ahead::<1, S, W>(x);
+            for k in columns::<1, 0, W>() {
+                let (excess, along) = (next(k) - x.at(k)).direction(self.rest);
+                residual[k] = excess - tension[k].scaled(divisor);
+                normal.set(k, along);
+            }
         }
         residual[links] = S::ZERO;
         for k in 0..W {
             worst = worst.max(residual[k].abs());
         }
         // of each link with the one after it
-        let normal_next = normal.components(vectors::left::<1, S, W>);
+        let normal_next = ahead::<1, S, W>(&normal);
+        for k in columns::<2, 0, W>() {
+            coupling[k] = normal.at(k).cosine(normal_next(k)).scaled(dividend);
+        }
         for k in 0..W {
-            coupling[k] = w_next[k] * normal.at(k).dot(normal_next.at(k));
+            diagonal[k] = dividend + dividend + divisor;
+        }
+        if !ORDINARY {
+            for k in 0..W {
+                let (here, next) = (w[k], if k + 1 < W { w[k + 1] } else { S::ZERO });
+                coupling[k] = coupling[k] * next;
+                diagonal[k] = (here + next) * dividend + divisor;
+            }
         }
         let [mut left, mut right] = [Eliminated::NONE; 2];
         let mut factor = [S::ZERO; W];
         for k in 0..middle {
             let before = if k > 0 { coupling[k - 1] } else { S::ZERO };
             let ahead;
-            (left, ahead) = left.next(diagonal[k], before, residual[k]);
+            (left, ahead) = left.next::<ORDINARY>(diagonal[k], before, residual[k]);
             change[k] = left.right;
             if k > 0 {
                 factor[k - 1] = ahead;
@@ -107,7 +126,7 @@ impl<S: Scalar> Chain<'_, S> {
         for k in (middle + 1..links).rev() {
             let after = if k + 1 < links { coupling[k] } else { S::ZERO };
             let ahead;
-            (right, ahead) = right.next(diagonal[k], after, residual[k]);
+            (right, ahead) = right.next::<ORDINARY>(diagonal[k], after, residual[k]);
             change[k] = right.right;
             if k + 1 < links {
                 factor[k + 1] = ahead;
@@ -126,47 +145,58 @@ impl<S: Scalar> Chain<'_, S> {
             factor[middle + 1] = to_right;
         }
         for k in (0..middle).rev() {
-            change[k] += factor[k] * change[k + 1];
+            change[k] += times::<ORDINARY, S>(change[k + 1], factor[k]);
         }
         for k in middle + 1..links {
-            change[k] += factor[k] * change[k - 1];
+            change[k] += times::<ORDINARY, S>(change[k - 1], factor[k]);
         }
         change[links] = S::ZERO;
         let mut pull = Vec3::row(Vec3::ZERO);
         for k in 0..W {
             tension[k] += change[k];
-            pull.set(k, normal.at(k) * (change[k] * dividend));
+            pull.set(k, normal.at(k).of_length(change[k].scaled(dividend)));
         }
-        let before = pull.components(vectors::right::<1, S, W>);
-        let w = cloth.inverse_mass.0[row];
-        displace_row(cloth, row, |k| (pull.at(k) - before.at(k)) * w[k], self.moment);
+        let before = behind::<1, S, W>(&pull);
+        displace_row(
+            cloth,
+            row,
+            |k| {
+                let by = pull.at(k) - before(k);
+                if ORDINARY { by } else { by * w[k] }
+            },
+            self.moment,
+        );
         worst
     }
 
     /// Solves every column.
-    pub(super) fn columns<const W: usize, const H: usize>(
-        &self,
-        cloth: &mut Cloth<S, W, H>,
-        tension: &mut Grid<S, W, H>,
-    ) {
+    pub(super) fn columns(&self, cloth: &mut Cloth<S, W, H>, tension: &mut Grid<S, W, H>) {
         let mut column = 0;
         while column + LANES <= W {
-            self.side_by_side::<LANES, W, H>(cloth, column, tension);
+            self.some::<LANES>(cloth, column, tension);
             column += LANES;
         }
         while column + 4 <= W {
-            self.side_by_side::<4, W, H>(cloth, column, tension);
+            self.some::<4>(cloth, column, tension);
             column += 4;
         }
         while column < W {
-            self.side_by_side::<1, W, H>(cloth, column, tension);
+            self.some::<1>(cloth, column, tension);
             column += 1;
+        }
+    }
+
+    fn some<const N: usize>(&self, cloth: &mut Cloth<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) {
+        if self.ordinary.columns.iter().skip(first).take(N).all(|ordinary| *ordinary) {
+            self.side_by_side::<N, true>(cloth, first, tension);
+        } else {
+            self.side_by_side::<N, false>(cloth, first, tension);
         }
     }
 
     /// Solves `N` columns.
     #[inline(never)] // so that sheet and multipliers are known to be apart
-    fn side_by_side<const N: usize, const W: usize, const H: usize>(
+    fn side_by_side<const N: usize, const ORDINARY: bool>(
         &self,
         cloth: &mut Cloth<S, W, H>,
         first: usize,
@@ -186,14 +216,18 @@ impl<S: Scalar> Chain<'_, S> {
             let before = if row > 0 { normals[row - 1] } else { normals[H - 1] };
             for lane in 0..N {
                 let column = first + lane;
-                let (u, v) = (u[column] * dividend, v[column] * dividend);
                 let d = y.at(column) - x.at(column);
-                let (excess, inverse) = S::gauge(d.squared(), self.rest);
-                let residual = excess - divisor * tension.0[row][column];
-                let normal = d * inverse;
-                let coupling = u * before.at(lane).dot(normal);
+                let (excess, normal) = d.direction(self.rest);
+                let residual = excess - tension.0[row][column].scaled(divisor);
+                let coupling = before.at(lane).cosine(normal).scaled(dividend);
+                let (coupling, inverse_mass) = if ORDINARY {
+                    (coupling, S::ONE + S::ONE)
+                } else {
+                    (coupling * u[column], u[column] + v[column])
+                };
+                let diagonal = inverse_mass * dividend + divisor;
                 let factor;
-                (above[lane], factor) = above[lane].next(u + v + divisor, coupling, residual);
+                (above[lane], factor) = above[lane].next::<ORDINARY>(diagonal, coupling, residual);
                 normals[row].set(lane, normal);
                 factors[row][lane] = factor;
                 changes[row][lane] = above[lane].right;
@@ -207,8 +241,8 @@ impl<S: Scalar> Chain<'_, S> {
             let (x, v) = (&mut cloth.position.0[row], &mut cloth.velocity.0[row]);
             let mut pull = below;
             for lane in 0..N {
-                change[lane] = changes[link_above][lane] + factors[row][lane] * change[lane];
-                pull.set(lane, normals[link_above].at(lane) * (change[lane] * dividend));
+                change[lane] = changes[link_above][lane] + times::<ORDINARY, S>(change[lane], factors[row][lane]);
+                pull.set(lane, normals[link_above].at(lane).of_length(change[lane].scaled(dividend)));
             }
             let tension = &mut tension.0[link_above];
             for lane in 0..N {
@@ -216,7 +250,8 @@ impl<S: Scalar> Chain<'_, S> {
             }
             for lane in 0..N {
                 let column = first + lane;
-                displace(x, v, column, (below.at(lane) - pull.at(lane)) * w[column], self.moment);
+                let by = below.at(lane) - pull.at(lane);
+                displace(x, v, column, if ORDINARY { by } else { by * w[column] }, self.moment);
             }
             below = pull;
         }

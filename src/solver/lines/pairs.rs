@@ -4,31 +4,37 @@
 //! last bit, and a machine may compute four at once. That does not overshoot: both diagonals of a cell are nearly at right angles, and the few links that
 //! share a particle elsewhere lie in a row.
 
+use core::ops::Range;
+
 use crate::cloth::Cloth;
 use crate::grid::Grid;
 use crate::link::{Family, Quotient};
 use crate::moment::Moment;
 use crate::scalar::{Rest, Scalar};
 use crate::vec3::Vec3;
-use crate::vectors::{left, right};
+use crate::vectors::{ahead, behind, columns, left, right};
 
 use super::displace_row;
 
 /// Links of one kind.
-pub(super) struct Pairs<'a, S> {
+pub(super) struct Pairs<'a, S, const H: usize> {
     rest: &'a Rest<S>,
     strength: Quotient<S>,
+    /// 1/(2·a + b), of two particles of mass 1.
+    softness: S,
     moment: Moment,
+    ordinary: &'a [bool; H],
 }
 
-impl<'a, S: Scalar> Pairs<'a, S> {
-    pub(super) fn new(family: &'a Family<S>, strength: Quotient<S>, moment: Moment) -> Self {
-        Self { rest: &family.rest, strength, moment }
+impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
+    pub(super) fn new(family: &'a Family<S>, strength: Quotient<S>, moment: Moment, ordinary: &'a [bool; H]) -> Self {
+        let softness = (strength.dividend + strength.dividend + strength.divisor).recip();
+        Self { rest: &family.rest, strength, softness, moment, ordinary }
     }
 
     /// Links between particles that are `ACROSS` columns apart.
     #[inline]
-    pub(super) fn row<const ACROSS: usize, const START: bool, const W: usize, const H: usize>(
+    pub(super) fn row<const ACROSS: usize, const START: bool, const W: usize>(
         &self,
         cloth: &mut Cloth<S, W, H>,
         mut tension: Option<&mut Grid<S, W, H>>,
@@ -37,27 +43,22 @@ impl<'a, S: Scalar> Pairs<'a, S> {
         if W <= ACROSS {
             return;
         }
+        let links = columns::<ACROSS, 0, W>();
         for row in 0..H {
-            let (x, w) = (&cloth.position.0[row], cloth.inverse_mass.0[row]);
+            let (x, w) = (&cloth.position.0[row], &cloth.inverse_mass.0[row]);
             let mut none = [S::ZERO; W];
             let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
-            let mut pull = self.pull::<START, W>(
-                x,
-                &x.components(left::<ACROSS, S, W>),
-                &w,
-                &left::<ACROSS, S, W>(&w),
-                tension,
-                warm,
-            );
+            let softness = self.softness([row; 2], [w, w], left::<ACROSS, S, W>);
+            let mut pull = self.pull::<START, W>(links.clone(), x, ahead::<ACROSS, S, W>(x), softness, tension, warm);
             without_last::<ACROSS, S, W>(&mut pull, tension);
-            let before = pull.components(right::<ACROSS, S, W>);
-            displace_row(cloth, row, |column| (pull.at(column) - before.at(column)) * w[column], self.moment);
+            let before = behind::<ACROSS, S, W>(&pull);
+            self.displace(cloth, row, |column| pull.at(column) - before(column));
         }
     }
 
     /// Links between particles that are `DOWN` rows apart.
     #[inline]
-    pub(super) fn column<const DOWN: usize, const START: bool, const W: usize, const H: usize>(
+    pub(super) fn column<const DOWN: usize, const START: bool, const W: usize>(
         &self,
         cloth: &mut Cloth<S, W, H>,
         mut tension: Option<&mut Grid<S, W, H>>,
@@ -66,24 +67,19 @@ impl<'a, S: Scalar> Pairs<'a, S> {
         // before the links of a row act, those that end in it have acted
         for row in 0..H.saturating_sub(DOWN) {
             let [x, y] = [row, row + DOWN].map(|row| &cloth.position.0[row]);
-            let [u, v] = [row, row + DOWN].map(|row| cloth.inverse_mass.0[row]);
+            let [u, v] = [row, row + DOWN].map(|row| &cloth.inverse_mass.0[row]);
             let mut none = [S::ZERO; W];
             let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
-            let pull = self.pull::<START, W>(x, y, &u, &v, tension, warm);
-            displace_row(cloth, row, |column| pull.at(column) * u[column], self.moment);
-            displace_row(cloth, row + DOWN, |column| -pull.at(column) * v[column], self.moment);
+            let softness = self.softness([row, row + DOWN], [u, v], |v| *v);
+            let pull = self.pull::<START, W>(0..W, x, |column| y.at(column), softness, tension, warm);
+            self.displace(cloth, row, |column| pull.at(column));
+            self.displace(cloth, row + DOWN, |column| -pull.at(column));
         }
     }
 
     /// Links along both diagonals.
     #[inline]
-    pub(super) fn diagonals<
-        const ACROSS: usize,
-        const DOWN: usize,
-        const START: bool,
-        const W: usize,
-        const H: usize,
-    >(
+    pub(super) fn diagonals<const ACROSS: usize, const DOWN: usize, const START: bool, const W: usize>(
         &self,
         cloth: &mut Cloth<S, W, H>,
         mut tension: Option<[&mut Grid<S, W, H>; 2]>,
@@ -96,36 +92,58 @@ impl<'a, S: Scalar> Pairs<'a, S> {
             let mut row = colour;
             while row + DOWN < H {
                 let [x, y] = [row, row + DOWN].map(|row| &cloth.position.0[row]);
-                let [u, v] = [row, row + DOWN].map(|row| cloth.inverse_mass.0[row]);
+                let [u, v] = [row, row + DOWN].map(|row| &cloth.inverse_mass.0[row]);
                 let mut none = [[S::ZERO; W]; 2];
                 let [falling, rising] = match &mut tension {
                     Some([falling, rising]) => [&mut falling.0[row], &mut rising.0[row]],
                     None => none.each_mut(),
                 };
                 // to the right and down, to the left and down
-                let mut fall = self.pull::<START, W>(
-                    x,
-                    &y.components(left::<ACROSS, S, W>),
-                    &u,
-                    &left::<ACROSS, S, W>(&v),
-                    falling,
-                    warm,
-                );
+                let links = columns::<ACROSS, 0, W>();
+                let softness = self.softness([row, row + DOWN], [u, v], left::<ACROSS, S, W>);
+                let mut fall = self.pull::<START, W>(links, x, ahead::<ACROSS, S, W>(y), softness, falling, warm);
                 without_last::<ACROSS, S, W>(&mut fall, falling);
-                let mut rise = self.pull::<START, W>(
-                    x,
-                    &y.components(right::<ACROSS, S, W>),
-                    &u,
-                    &right::<ACROSS, S, W>(&v),
-                    rising,
-                    warm,
-                );
+                let links = columns::<0, ACROSS, W>();
+                let softness = self.softness([row, row + DOWN], [u, v], right::<ACROSS, S, W>);
+                let mut rise = self.pull::<START, W>(links, x, behind::<ACROSS, S, W>(y), softness, rising, warm);
                 without_first::<ACROSS, S, W>(&mut rise, rising);
-                displace_row(cloth, row, |column| (fall.at(column) + rise.at(column)) * u[column], self.moment);
-                let (fall, rise) = (fall.components(right::<ACROSS, S, W>), rise.components(left::<ACROSS, S, W>));
-                displace_row(cloth, row + DOWN, |column| -(fall.at(column) + rise.at(column)) * v[column], self.moment);
+                self.displace(cloth, row, |column| fall.at(column) + rise.at(column));
+                let (fall, rise) = (behind::<ACROSS, S, W>(&fall), ahead::<ACROSS, S, W>(&rise));
+                self.displace(cloth, row + DOWN, |column| -(fall(column) + rise(column)));
                 row += 2;
             }
+        }
+    }
+
+    /// 1/(a·Σw + b) of the links between two rows, whose inverse masses are these once those of the second are `shifted`.
+    #[inline(always)]
+    fn softness<const W: usize>(
+        &self,
+        rows: [usize; 2],
+        [u, v]: [&[S; W]; 2],
+        shifted: impl Fn(&[S; W]) -> [S; W],
+    ) -> Softness<S, W> {
+        if rows.iter().all(|row| self.ordinary[*row]) {
+            return Softness::Ordinary(self.softness);
+        }
+        let Quotient { dividend, divisor } = self.strength;
+        let mut softness = shifted(v);
+        for column in 0..W {
+            let inverse_mass = u[column] + softness[column];
+            let inverse = (inverse_mass * dividend + divisor).recip();
+            softness[column] = if inverse_mass == S::ZERO { S::ZERO } else { inverse };
+        }
+        Softness::Any(softness)
+    }
+
+    /// Moves a row by a pull, times inverse masses.
+    #[inline(always)]
+    fn displace<const W: usize>(&self, cloth: &mut Cloth<S, W, H>, row: usize, pull: impl Fn(usize) -> Vec3<S>) {
+        if self.ordinary[row] {
+            displace_row(cloth, row, pull, self.moment);
+        } else {
+            let w = cloth.inverse_mass.0[row];
+            displace_row(cloth, row, |column| pull(column) * w[column], self.moment);
         }
     }
 
@@ -133,34 +151,57 @@ impl<'a, S: Scalar> Pairs<'a, S> {
     #[inline(always)]
     fn pull<const START: bool, const W: usize>(
         &self,
+        links: Range<usize>,
         x: &Vec3<[S; W]>,
-        y: &Vec3<[S; W]>,
-        u: &[S; W],
-        v: &[S; W],
+        y: impl Fn(usize) -> Vec3<S>,
+        softness: Softness<S, W>,
         tension: &mut [S; W],
         warm: S,
     ) -> Vec3<[S; W]> {
-        let Quotient { dividend, divisor } = self.strength;
+        if START {
+            self.each(links, x, y, tension, |_, tension, _| [tension.scaled(warm); 2])
+        } else {
+            let divisor = self.strength.divisor;
+            let missing = |tension: S, excess: S| excess - tension.scaled(divisor);
+            let changed = |tension: S, change: S| [change, tension + change];
+            match softness {
+                Softness::Ordinary(softness) => self.each(links, x, y, tension, |_, tension, excess| {
+                    changed(tension, missing(tension, excess).scaled(softness))
+                }),
+                Softness::Any(softness) => self.each(links, x, y, tension, |column, tension, excess| {
+                    changed(tension, missing(tension, excess) * softness[column])
+                }),
+            }
+        }
+    }
+
+    /// What links do whose multipliers `change`, from their last ones and their excess lengths: by what they change, and what they are then.
+    #[inline(always)]
+    fn each<const W: usize>(
+        &self,
+        links: Range<usize>,
+        x: &Vec3<[S; W]>,
+        y: impl Fn(usize) -> Vec3<S>,
+        tension: &mut [S; W],
+        change: impl Fn(usize, S, S) -> [S; 2],
+    ) -> Vec3<[S; W]> {
         let mut pull = Vec3::row(Vec3::ZERO);
-        // no branches, all columns: so it can be done for four at once
-        for column in 0..W {
-            let d = y.at(column) - x.at(column);
-            let (excess, inverse) = S::gauge(d.squared(), self.rest);
-            let change = if START {
-                let change = tension[column] * warm;
-                tension[column] = change;
-                change
-            } else {
-                let inverse_mass = u[column] + v[column];
-                let change = (excess - divisor * tension[column]).divide(inverse_mass * dividend + divisor);
-                let change = if inverse_mass == S::ZERO { S::ZERO } else { change };
-                tension[column] += change;
-                change
-            };
-            pull.set(column, d * (inverse * change * dividend));
+        // no branches: so it can be done for four at once
+        for column in links {
+            let (excess, normal) = (y(column) - x.at(column)).direction(self.rest);
+            let [by, after] = change(column, tension[column], excess);
+            tension[column] = after;
+            pull.set(column, normal.of_length(by.scaled(self.strength.dividend)));
         }
         pull
     }
+}
+
+/// 1/(a·Σw + b)
+enum Softness<S, const W: usize> {
+    /// The same everywhere: all particles have mass 1.
+    Ordinary(S),
+    Any([S; W]),
 }
 
 /// Nothing in the last `BY < W` columns.

@@ -5,6 +5,7 @@ use crate::grid::Grid;
 use crate::link::{Family, Links, Visitor};
 use crate::moment::Moment;
 use crate::scalar::Scalar;
+use crate::solver::ordinary::Ordinary;
 
 use super::WARM;
 use super::chain::Chain;
@@ -35,6 +36,7 @@ pub(super) struct Relax<'a, S, const W: usize, const H: usize, const N: usize> {
     slot: usize,
     /// The largest strain of a row that the sweep met.
     met: S,
+    ordinary: Ordinary<W, H>,
 }
 
 impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S, W, H, N> {
@@ -44,7 +46,8 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         moment: Moment,
         softness: S,
     ) -> Self {
-        Self { cloth, tension, moment, softness, pass: Pass::Others, first: true, slot: 0, met: S::ZERO }
+        let ordinary = Ordinary::new(cloth);
+        Self { cloth, tension, moment, softness, pass: Pass::Others, first: true, slot: 0, met: S::ZERO, ordinary }
     }
 
     /// Lets every link act with a part of its last multiplier.
@@ -78,7 +81,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
     fn lines<const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
         let Some(tension) = self.tension.get_mut(slot) else { return };
         let strength = family.strength.scaled(self.softness);
-        let chain = Chain { rest: &family.rest, strength, moment: self.moment };
+        let chain = Chain { rest: &family.rest, strength, moment: self.moment, ordinary: &self.ordinary };
         match DOWN {
             0 => {
                 let worst = chain.rows(self.cloth, tension);
@@ -90,22 +93,29 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
 
     fn others<const ACROSS: usize, const DOWN: usize, const START: bool>(&mut self, family: &Family<S>, slot: usize) {
         let strength = family.strength.scaled(self.softness);
-        let pairs = Pairs::new(family, strength, self.moment);
+        let pairs = Pairs::new(family, strength, self.moment, &self.ordinary.rows);
         let soft = strength.divisor >= strength.dividend;
-        let warm = if soft { S::from_f64(WARM) } else { S::ZERO };
+        if START && !soft {
+            self.clear(slot);
+            if ACROSS > 0 && DOWN > 0 {
+                self.clear(slot + 1);
+            }
+            return;
+        }
+        let warm = S::from_f64(WARM);
         let tension = self.tension.get_mut(slot..).unwrap_or(&mut []);
         // without a memory a second time would count twice
         let first = self.first;
         match tension {
             [falling, rising, ..] if ACROSS > 0 && DOWN > 0 => {
-                pairs.diagonals::<ACROSS, DOWN, START, W, H>(self.cloth, Some([falling, rising]), warm);
+                pairs.diagonals::<ACROSS, DOWN, START, W>(self.cloth, Some([falling, rising]), warm);
             }
-            [tension, ..] if DOWN == 0 => pairs.row::<ACROSS, START, W, H>(self.cloth, Some(tension), warm),
-            [tension, ..] if ACROSS == 0 => pairs.column::<DOWN, START, W, H>(self.cloth, Some(tension), warm),
+            [tension, ..] if DOWN == 0 => pairs.row::<ACROSS, START, W>(self.cloth, Some(tension), warm),
+            [tension, ..] if ACROSS == 0 => pairs.column::<DOWN, START, W>(self.cloth, Some(tension), warm),
             _ if START || !first => {}
-            _ if ACROSS > 0 && DOWN > 0 => pairs.diagonals::<ACROSS, DOWN, START, W, H>(self.cloth, None, warm),
-            _ if DOWN == 0 => pairs.row::<ACROSS, START, W, H>(self.cloth, None, warm),
-            _ => pairs.column::<DOWN, START, W, H>(self.cloth, None, warm),
+            _ if ACROSS > 0 && DOWN > 0 => pairs.diagonals::<ACROSS, DOWN, START, W>(self.cloth, None, warm),
+            _ if DOWN == 0 => pairs.row::<ACROSS, START, W>(self.cloth, None, warm),
+            _ => pairs.column::<DOWN, START, W>(self.cloth, None, warm),
         }
     }
 }

@@ -1,0 +1,147 @@
+//! Links in 64-bit products.
+
+use super::kernel::Kernel;
+use super::newton::inverse_root_wide;
+use super::{FRACTION, Fixed24, ONE, divide, round, root, saturate};
+use crate::scalar::Rest;
+
+/// Products of 64 bits: every result is right to its last place or the one before.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Exact;
+
+/// `squares/L²` by 1/L², near one, with 48 fraction bits; it saturates at 2¹⁵, that is 181 rest lengths, where an elongation is 0.9945.
+#[inline]
+fn ratio(squares: u64, inverse_square: i32) -> u64 {
+    let inverse = inverse_square as u64;
+    if squares < 1 << 54 {
+        // the product needs up to 86 bits: its upper and its lower part apart
+        ((squares >> FRACTION) * inverse + (((squares & 0xff_ffff) * inverse) >> FRACTION)).max(1)
+    } else {
+        ((u128::from(squares) * u128::from(inverse)) >> FRACTION).min(u128::from(u64::MAX >> 1)) as u64
+    }
+}
+
+/// `1/√ratio` with 24 fraction bits, rounded to nearest.
+#[inline]
+fn inverse_stretch(ratio: u64) -> i64 {
+    let (y, e) = inverse_root_wide(ratio);
+    // y has 31 fraction bits
+    let drop = 7 - e;
+    if drop > 0 { ((i64::from(y) >> (drop - 1)) + 1) >> 1 } else { i64::from(y) << -drop }
+}
+
+/// The largest |e| of [`near_rest`], with 29 fraction bits: links stretched or shortened by up to 1.5 %.
+const NEAR: i32 = 1 << 24;
+
+/// e with `squares/L² = 1 + e` and 29 fraction bits, for a link near its rest length up to 2.8 cells: nearly all links at nearly all times.
+#[inline(always)]
+fn near_rest(squares: u64, inverse_square: i32) -> Option<i32> {
+    if squares >> 51 != 0 {
+        return None;
+    }
+    let ratio = ((squares >> 19) * inverse_square as u64) >> FRACTION;
+    let e = (ratio as u32).wrapping_sub(1 << 29) as i32;
+    (ratio >> 31 == 0 && -NEAR < e && e < NEAR).then_some(e)
+}
+
+/// `e·(1/2 − e·(c₂ − e·(c₃ − e·c₄)))` with 24 fraction bits, |e| ≤ 1/32 with 29.
+///
+/// Every product keeps its upper word, which takes no shift: e with 36 fraction bits makes one of 32 − 36 = −4 fraction bits less than its other factor, so the
+/// coefficients have 24, 20, 16 and 12 of them, which they all fit, and the result has 28. Cut off, they leave an error of 0.1 units of the last place.
+#[inline(always)]
+fn series(e: i32, [c2, c3, c4]: [f64; 3]) -> i32 {
+    let e = i64::from(e << 7);
+    let times = |factor: i32| ((e * i64::from(factor)) >> 32) as i32;
+    let c3 = (c3 * (1 << 16) as f64) as i32 - times((c4 * (1 << 12) as f64) as i32);
+    let c2 = (c2 * (1 << 20) as f64) as i32 - times(c3);
+    let result = times((1 << 23) - times(c2));
+    (result + 8) >> 4
+}
+
+/// Of `1 − 1/√(1 + e)`, the next term would be 63/256·e⁵ < 0.13 units.
+const ELONGATION: [f64; 3] = [3.0 / 8.0, 5.0 / 16.0, 35.0 / 128.0];
+/// Of `√(1 + e) − 1`, the next term would be 7/256·e⁵ < 0.02 units.
+const EXCESS: [f64; 3] = [1.0 / 8.0, 1.0 / 16.0, 5.0 / 128.0];
+
+/// `1 − L/√squares`.
+#[inline]
+pub(super) fn elongation<K: Kernel>(squares: u64, rest: &Rest<Fixed24<K>>) -> i32 {
+    match near_rest(squares, rest.inverse_square.to_bits()) {
+        Some(e) => series(e, ELONGATION),
+        None => far_elongation(squares, rest.inverse_square.to_bits()),
+    }
+}
+
+/// `√squares − L` and `1/√squares`.
+#[inline]
+pub(super) fn gauge<K: Kernel>(squares: u64, rest: &Rest<Fixed24<K>>) -> (i32, i32) {
+    let [length, inverse] = [rest.length.to_bits(), rest.inverse.to_bits()];
+    match near_rest(squares, rest.inverse_square.to_bits()) {
+        Some(e) => (Exact::multiply(series(e, EXCESS), length), inverse - Exact::multiply(series(e, ELONGATION), inverse)),
+        None => far_gauge(squares, [length, inverse, rest.inverse_square.to_bits()]),
+    }
+}
+
+/// Full range, out of the way of the rest.
+#[inline(never)]
+#[cold]
+fn far_elongation(squares: u64, inverse_square: i32) -> i32 {
+    if squares == 0 {
+        return 0;
+    }
+    saturate(i64::from(ONE) - inverse_stretch(ratio(squares, inverse_square)))
+}
+
+/// Full range, out of the way of the rest.
+#[inline(never)]
+#[cold]
+fn far_gauge(squares: u64, [length, inverse, inverse_square]: [i32; 3]) -> (i32, i32) {
+    if squares == 0 {
+        return (-length, 0);
+    }
+    let stretch = saturate(inverse_stretch(ratio(squares, inverse_square)));
+    (root(squares) - length, Exact::multiply(stretch, inverse))
+}
+
+/// The scalar product in full width.
+#[inline(always)]
+pub(super) fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
+    let [x, y, z] = [0, 1, 2].map(|k| i64::from(a[k]) * i64::from(b[k]));
+    x.wrapping_add(y).wrapping_add(z)
+}
+
+impl Kernel for Exact {
+    const NAME: &'static str = "q24";
+
+    #[inline]
+    fn multiply(a: i32, b: i32) -> i32 {
+        round(i64::from(a) * i64::from(b)) as i32
+    }
+
+    #[inline]
+    fn scaled(a: i32, ratio: i32) -> i32 {
+        Self::multiply(a, ratio)
+    }
+
+    #[inline]
+    fn reciprocal(x: i32) -> i32 {
+        divide(ONE, x)
+    }
+
+    #[inline]
+    fn correction(d: [i32; 3], rest: &Rest<Fixed24<Self>>, part: i32) -> [i32; 3] {
+        let part = Self::multiply(elongation(dot(d, d) as u64, rest), part);
+        d.map(|d| Self::multiply(d, part))
+    }
+
+    #[inline]
+    fn direction(d: [i32; 3], rest: &Rest<Fixed24<Self>>) -> (i32, [i32; 3]) {
+        let (excess, inverse) = gauge(dot(d, d) as u64, rest);
+        (excess, d.map(|d| Self::multiply(d, inverse)))
+    }
+
+    #[inline]
+    fn cosine(a: [i32; 3], b: [i32; 3]) -> i32 {
+        saturate(round(dot(a, b)))
+    }
+}

@@ -1,0 +1,33 @@
+//! What sets one fixed-point type apart from the other.
+
+use core::fmt::Debug;
+use core::hash::Hash;
+
+use super::Fixed24;
+use crate::scalar::Rest;
+
+/// How products, quotients and links are computed, on the bits of numbers with 24 fraction bits.
+///
+/// [`Exact`](super::Exact) and [`Short`](super::Short) are the two there are.
+pub trait Kernel: Copy + Debug + Default + Ord + Hash + 'static {
+    /// The type's name.
+    const NAME: &'static str;
+
+    /// A product, rounded to nearest.
+    fn multiply(a: i32, b: i32) -> i32;
+
+    /// A product with `|ratio| ≤ 1`.
+    fn scaled(a: i32, ratio: i32) -> i32;
+
+    /// `1/x` for x > 0.
+    fn reciprocal(x: i32) -> i32;
+
+    /// `part·(1 − L/|d|)·d`.
+    fn correction(d: [i32; 3], rest: &Rest<Fixed24<Self>>, part: i32) -> [i32; 3];
+
+    /// `|d| − L` and `d/|d|`.
+    fn direction(d: [i32; 3], rest: &Rest<Fixed24<Self>>) -> (i32, [i32; 3]);
+
+    /// The scalar product of two vectors no longer than 1.01.
+    fn cosine(a: [i32; 3], b: [i32; 3]) -> i32;
+}
