@@ -39,6 +39,7 @@
 //! | [`force`], [`link`], [`collider`] | what acts on it |
 //! | [`solver`] | the ways to move it |
 //! | [`scene`] | the description, and the step |
+//! | [`rest`] | when nothing moves, nothing is computed |
 //! | [`measure`] | strain, energy, momentum, digest |
 //! | `render` | drawing on any `embedded-graphics` display (feature `graphics`) |
 //! | `host` | scene files, for programs on a host (feature `std`) |
@@ -48,6 +49,7 @@
 //! A step cannot fail. The same scene gives the same bits on every target, for every number type: only `+ − × ÷` and the square root are used, each
 //! rounded once, in one order. There is no unsafe code.
 #![no_std]
+#![forbid(unsafe_code)]
 
 #[cfg(feature = "std")]
 extern crate std;
@@ -67,6 +69,7 @@ pub mod measure;
 pub mod moment;
 #[cfg(feature = "graphics")]
 pub mod render;
+pub mod rest;
 pub mod scalar;
 pub mod scene;
 pub mod solver;

@@ -3,8 +3,8 @@
 
 use kerchief::force::Force;
 use kerchief::{
-    AerodynamicWind, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, Gravity, Lines, Links, Node, Plane, Q13, Q24,
-    Scalar, Scene, Shear, Solver, Sphere, StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
+    AerodynamicWind, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, Gravity, Lines, Links, Node, Plane, Q13,
+    Q24, Scalar, Scene, Shear, Solver, Sphere, StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
 };
 
 /// Particles a side.

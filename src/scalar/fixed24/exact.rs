@@ -2,7 +2,7 @@
 
 use super::kernel::Kernel;
 use super::newton::inverse_root_wide;
-use super::{FRACTION, Fixed24, ONE, divide, round, root, saturate};
+use super::{FRACTION, Fixed24, ONE, divide, root, round, saturate};
 use crate::scalar::Rest;
 
 /// Products of 64 bits: every result is right to its last place or the one before.
@@ -77,7 +77,9 @@ pub(super) fn elongation<K: Kernel>(squares: u64, rest: &Rest<Fixed24<K>>) -> i3
 pub(super) fn gauge<K: Kernel>(squares: u64, rest: &Rest<Fixed24<K>>) -> (i32, i32) {
     let [length, inverse] = [rest.length.to_bits(), rest.inverse.to_bits()];
     match near_rest(squares, rest.inverse_square.to_bits()) {
-        Some(e) => (Exact::multiply(series(e, EXCESS), length), inverse - Exact::multiply(series(e, ELONGATION), inverse)),
+        Some(e) => {
+            (Exact::multiply(series(e, EXCESS), length), inverse - Exact::multiply(series(e, ELONGATION), inverse))
+        }
         None => far_gauge(squares, [length, inverse, rest.inverse_square.to_bits()]),
     }
 }

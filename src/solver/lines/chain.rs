@@ -220,11 +220,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 let (excess, normal) = d.direction(self.rest);
                 let residual = excess - tension.0[row][column].scaled(divisor);
                 let coupling = before.at(lane).cosine(normal).scaled(dividend);
-                let (coupling, inverse_mass) = if ORDINARY {
-                    (coupling, S::ONE + S::ONE)
-                } else {
-                    (coupling * u[column], u[column] + v[column])
-                };
+                let (coupling, inverse_mass) =
+                    if ORDINARY { (coupling, S::ONE + S::ONE) } else { (coupling * u[column], u[column] + v[column]) };
                 let diagonal = inverse_mass * dividend + divisor;
                 let factor;
                 (above[lane], factor) = above[lane].next::<ORDINARY>(diagonal, coupling, residual);
