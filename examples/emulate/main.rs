@@ -5,9 +5,11 @@
 //! ```
 #![allow(missing_docs, reason = "a program")]
 
+mod film;
 mod firmware;
 mod gdb;
 mod oled;
+mod pico;
 mod photograph;
 mod program;
 mod qemu;
@@ -31,6 +33,12 @@ struct Arguments {
     /// Where the display is drawn, anew after every picture.
     #[arg(long)]
     png: Option<PathBuf>,
+    /// Where an animation of the display is written (pico).
+    #[arg(long)]
+    gif: Option<PathBuf>,
+    /// How many pictures there are to one of the animation.
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=60))]
+    every: u32,
     /// The time of an instruction is 2 to the power of this, in nanoseconds.
     #[arg(long, default_value_t = 0)]
     shift: u32,
@@ -40,6 +48,8 @@ struct Arguments {
 enum Board {
     /// LM3S6965 evaluation board, OLED of 128 × 64 pixels, in QEMU
     Oled,
+    /// Raspberry Pi Pico, LCD of 240 × 240 pixels, in rp2040js
+    Pico,
 }
 
 fn main() -> ExitCode {
@@ -56,6 +66,7 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<()> {
     match arguments.board {
         Board::Oled => run_oled(arguments),
+        Board::Pico => run_pico(arguments),
     }
 }
 
@@ -84,6 +95,26 @@ fn run_oled(arguments: &Arguments) -> Result<()> {
             return if errors.is_empty() { Ok(()) } else { Err(errors.into()) };
         }
     }
+}
+
+fn run_pico(arguments: &Arguments) -> Result<()> {
+    let pictures = arguments.steps as usize;
+    let every = if arguments.gif.is_some() { arguments.every as usize } else { pictures };
+    let shots = (1..=pictures).filter(|picture| picture % every == 0).collect();
+    let run = pico::run(&pico::build(), &pico::Plan { pictures, shots, presses: Vec::new() })?;
+    run.log.iter().for_each(|line| println!("{line}"));
+    let [used, size] = run.stack;
+    println!("{used} of {size} bytes of stack were used");
+    if !run.errors.is_empty() {
+        return Err(run.errors.join("\n").into());
+    }
+    if let (Some(path), Some(last)) = (&arguments.png, run.shots.last()) {
+        save(&photograph::photograph(&pico::picture(last), 2, 0), path)?;
+    }
+    if let Some(path) = &arguments.gif {
+        film::save(&run.shots, path)?;
+    }
+    Ok(())
 }
 
 /// Replaces the file at once, so that who looks at it sees a whole picture.

@@ -9,6 +9,9 @@ use object::{Endianness, Object, ObjectSymbol};
 
 use crate::gdb::Result;
 
+/// What a stack holds where it was never used (`cortex-m-rt`).
+pub(crate) const PAINT: u32 = 0xcccc_cccc;
+
 /// A linked program.
 #[derive(Debug)]
 pub(crate) struct Program {

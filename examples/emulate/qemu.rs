@@ -9,7 +9,7 @@ use std::time::Duration;
 use tempfile::TempDir;
 
 use crate::gdb::{Gdb, Result, patiently};
-use crate::program::Program;
+use crate::program::{PAINT, Program};
 
 /// A program in QEMU, stopped.
 #[derive(Debug)]
@@ -23,9 +23,6 @@ pub(crate) struct Qemu {
     log: Vec<u8>,
     work: TempDir,
 }
-
-/// What a colour of a stack that was never used is (`cortex-m-rt`).
-const PAINT: u32 = 0xcccc_cccc;
 
 impl Qemu {
     /// Starts a program on a machine where an instruction takes 2^`shift` nanoseconds.
