@@ -119,7 +119,7 @@ pub trait Scalar:
     #[inline]
     fn correction(d: [Self; 3], rest: &Rest<Self>, part: Self) -> [Self; 3] {
         let part = Self::elongation(squared(d), rest) * part;
-        d.map(|component| component * part)
+        [d[0] * part, d[1] * part, d[2] * part]
     }
 
     /// `|d| − L` and `d/|d|`: by how much a link is longer than its rest length, and its direction.

@@ -353,7 +353,7 @@ mod tests {
         assert_eq!(counts(|| a.recip().divide(b)), [0, 0, 2, 0, 0]);
         assert_eq!(counts(|| Counted::root(a)), [0, 0, 0, 1, 0]);
         assert_eq!(counts(|| Counted::elongation(a, &rest)), [1, 0, 1, 1, 1]);
-        assert_eq!(counts(|| Counted::gauge(a, &rest)), [1, 0, 1, 1, 1]);
+        assert_eq!(counts(|| Counted::direction([a, b, c], &rest)), [3, 6, 1, 1, 1]);
         assert_eq!(counts(|| Counted::root_mean(Counted::accumulate(a, b), 4)), [1, 0, 1, 1, 0]);
         assert_eq!(counts(|| a.max(b).min(c) == c || a < b), [0, 0, 0, 0, 4]);
         assert_eq!(counts(|| (a.abs(), -b, Counted::narrow(c), c.to_f64())), [0; 5]);

@@ -87,7 +87,7 @@ impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W, H> {
-    #[inline]
+    #[inline(never)] // one for all scenes of a grid
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let strength = if self.parts == 1 {
             family.strength

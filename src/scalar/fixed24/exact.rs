@@ -2,7 +2,7 @@
 
 use super::kernel::Kernel;
 use super::newton::inverse_root_wide;
-use super::{FRACTION, Fixed24, ONE, divide, root, round, saturate};
+use super::{FRACTION, Fixed24, ONE, divide, each, root, round, saturate};
 use crate::scalar::Rest;
 
 /// Products of 64 bits: every result is right to its last place or the one before.
@@ -108,8 +108,8 @@ fn far_gauge(squares: u64, [length, inverse, inverse_square]: [i32; 3]) -> (i32,
 /// The scalar product in full width.
 #[inline(always)]
 pub(super) fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
-    let [x, y, z] = [0, 1, 2].map(|k| i64::from(a[k]) * i64::from(b[k]));
-    x.wrapping_add(y).wrapping_add(z)
+    let product = |k: usize| i64::from(a[k]) * i64::from(b[k]);
+    product(0).wrapping_add(product(1)).wrapping_add(product(2))
 }
 
 impl Kernel for Exact {
@@ -133,17 +133,53 @@ impl Kernel for Exact {
     #[inline]
     fn correction(d: [i32; 3], rest: &Rest<Fixed24<Self>>, part: i32) -> [i32; 3] {
         let part = Self::multiply(elongation(dot(d, d) as u64, rest), part);
-        d.map(|d| Self::multiply(d, part))
+        each(d, |d| Self::multiply(d, part))
     }
 
     #[inline]
     fn direction(d: [i32; 3], rest: &Rest<Fixed24<Self>>) -> (i32, [i32; 3]) {
         let (excess, inverse) = gauge(dot(d, d) as u64, rest);
-        (excess, d.map(|d| Self::multiply(d, inverse)))
+        (excess, each(d, |d| Self::multiply(d, inverse)))
     }
 
     #[inline]
     fn cosine(a: [i32; 3], b: [i32; 3]) -> i32 {
         saturate(round(dot(a, b)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Q24, Scalar};
+
+    #[test]
+    fn near_rest_series_are_right_to_the_last_place() {
+        for e in (1 - NEAR..NEAR).step_by(61) {
+            let ratio = 1.0 + f64::from(e) / (1 << 29) as f64;
+            let places = |found: i32, expected: f64| (f64::from(found) - expected / Q24::RESOLUTION).abs();
+            assert!(places(series(e, ELONGATION), 1.0 - 1.0 / libm::sqrt(ratio)) < 0.75, "{ratio}");
+            assert!(places(series(e, EXCESS), libm::sqrt(ratio) - 1.0) < 0.65, "{ratio}");
+        }
+    }
+
+    #[test]
+    fn elongation_agrees_with_f64_over_the_whole_range() {
+        for length in [1.0, core::f64::consts::SQRT_2, 2.0, 0.37] {
+            let rest = Rest::spanning(Q24::from_f64(length), Q24::ZERO);
+            let length = rest.length.to_f64();
+            let mut stretch = 0.02;
+            while stretch * length < 120.0 && stretch < 180.0 {
+                let d = Q24::from_f64(stretch * length);
+                let expected = 1.0 - length / d.to_f64();
+                let found = Q24::elongation(d.product(d), &rest).to_f64();
+                let bound = 2e-7 * (1.0 + expected.abs());
+                assert!(
+                    (found - expected).abs() < bound.max(expected.abs() * 3e-7),
+                    "{length} × {stretch}: {found} {expected}"
+                );
+                stretch *= 1.013;
+            }
+        }
     }
 }

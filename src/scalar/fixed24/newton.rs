@@ -44,3 +44,21 @@ pub(super) fn reciprocal(m: u32) -> u32 {
     }
     y
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reciprocals_are_right_to_one_part_in_a_thousand_million() {
+        let mut x = 1_u64 << 31;
+        while x < 1 << 32 {
+            let expected = (1_u128 << 63) as f64 / x as f64;
+            let found = f64::from(reciprocal(x as u32));
+            assert!((found / expected - 1.0).abs() < 1e-9, "{x}: {found} {expected}");
+            x += 65_521;
+        }
+        assert_eq!(reciprocal(1 << 31), u32::MAX);
+        assert_eq!(reciprocal(u32::MAX) >> 20, 1 << 11);
+    }
+}

@@ -53,6 +53,11 @@ impl<S: Scalar> Eliminated<S> {
     }
 }
 
+/// Whether products with masses are skipped where all are 1: not where they cost no more than looking.
+const fn skips_masses<S: Scalar>() -> bool {
+    !(S::FLOATS && SIDE_BY_SIDE)
+}
+
 /// A product with a pivot, a coupling or a factor. Where all masses are 1 none of them is larger than 1: pivots are at least `a + b`, of which the larger is 1.
 #[inline(always)]
 fn times<const ORDINARY: bool, S: Scalar>(x: S, ratio: S) -> S {
@@ -61,12 +66,13 @@ fn times<const ORDINARY: bool, S: Scalar>(x: S, ratio: S) -> S {
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     /// Solves every row. Returns the largest difference between a link's length and rest length that it met.
+    #[inline(never)] // one for all scenes of a grid
     pub(super) fn rows(&self, cloth: &mut Cloth<S, W, H>, tension: &mut Grid<S, W, H>) -> S {
         let mut worst = S::ZERO;
         if W > 1 {
             for row in 0..H {
                 let tension = &mut tension.0[row];
-                worst = worst.max(if self.ordinary.rows[row] {
+                worst = worst.max(if const { skips_masses::<S>() } && self.ordinary.rows[row] {
                     self.row::<true>(cloth, row, tension)
                 } else {
                     self.row::<false>(cloth, row, tension)
@@ -76,7 +82,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         worst
     }
 
-    #[inline]
+    #[inline(always)]
     fn row<const ORDINARY: bool>(&self, cloth: &mut Cloth<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
         let Quotient { dividend, divisor } = self.strength;
         let (links, middle) = (W - 1, (W - 1) / 2);
@@ -170,6 +176,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     }
 
     /// Solves every column.
+    #[inline(never)] // one for all scenes of a grid
     pub(super) fn columns(&self, cloth: &mut Cloth<S, W, H>, tension: &mut Grid<S, W, H>) {
         let mut column = 0;
         while column + LANES <= W {
@@ -187,7 +194,10 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     }
 
     fn some<const N: usize>(&self, cloth: &mut Cloth<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) {
-        if self.ordinary.columns.iter().skip(first).take(N).all(|ordinary| *ordinary) {
+        // those that are left over are few
+        if const { skips_masses::<S>() && N == LANES }
+            && self.ordinary.columns.iter().skip(first).take(N).all(|ordinary| *ordinary)
+        {
             self.side_by_side::<N, true>(cloth, first, tension);
         } else {
             self.side_by_side::<N, false>(cloth, first, tension);

@@ -33,7 +33,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     }
 
     /// Links between particles that are `ACROSS` columns apart.
-    #[inline]
+    #[inline(never)] // one for all scenes of a grid
     pub(super) fn row<const ACROSS: usize, const START: bool, const W: usize>(
         &self,
         cloth: &mut Cloth<S, W, H>,
@@ -57,7 +57,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     }
 
     /// Links between particles that are `DOWN` rows apart.
-    #[inline]
+    #[inline(never)] // one for all scenes of a grid
     pub(super) fn column<const DOWN: usize, const START: bool, const W: usize>(
         &self,
         cloth: &mut Cloth<S, W, H>,
@@ -78,7 +78,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     }
 
     /// Links along both diagonals.
-    #[inline]
+    #[inline(never)] // one for all scenes of a grid
     pub(super) fn diagonals<const ACROSS: usize, const DOWN: usize, const START: bool, const W: usize>(
         &self,
         cloth: &mut Cloth<S, W, H>,

@@ -82,12 +82,11 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         let Some(tension) = self.tension.get_mut(slot) else { return };
         let strength = family.strength.scaled(self.softness);
         let chain = Chain { rest: &family.rest, strength, moment: self.moment, ordinary: &self.ordinary };
-        match DOWN {
-            0 => {
-                let worst = chain.rows(self.cloth, tension);
-                self.met = self.met.max(worst * family.rest.inverse);
-            }
-            _ => chain.columns(self.cloth, tension),
+        if const { DOWN == 0 } {
+            let worst = chain.rows(self.cloth, tension);
+            self.met = self.met.max(worst * family.rest.inverse);
+        } else {
+            chain.columns(self.cloth, tension);
         }
     }
 
@@ -96,26 +95,23 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         let pairs = Pairs::new(family, strength, self.moment, &self.ordinary.rows);
         let soft = strength.divisor >= strength.dividend;
         if START && !soft {
-            self.clear(slot);
-            if ACROSS > 0 && DOWN > 0 {
-                self.clear(slot + 1);
-            }
+            (slot..slot + slots::<ACROSS, DOWN>()).for_each(|slot| self.clear(slot));
             return;
         }
         let warm = S::from_f64(WARM);
-        let tension = self.tension.get_mut(slot..).unwrap_or(&mut []);
+        let memory = self.tension.get_mut(slot..slot + slots::<ACROSS, DOWN>());
         // without a memory a second time would count twice
-        let first = self.first;
-        match tension {
-            [falling, rising, ..] if ACROSS > 0 && DOWN > 0 => {
-                pairs.diagonals::<ACROSS, DOWN, START, W>(self.cloth, Some([falling, rising]), warm);
-            }
-            [tension, ..] if DOWN == 0 => pairs.row::<ACROSS, START, W>(self.cloth, Some(tension), warm),
-            [tension, ..] if ACROSS == 0 => pairs.column::<DOWN, START, W>(self.cloth, Some(tension), warm),
-            _ if START || !first => {}
-            _ if ACROSS > 0 && DOWN > 0 => pairs.diagonals::<ACROSS, DOWN, START, W>(self.cloth, None, warm),
-            _ if DOWN == 0 => pairs.row::<ACROSS, START, W>(self.cloth, None, warm),
-            _ => pairs.column::<DOWN, START, W>(self.cloth, None, warm),
+        if memory.is_none() && (START || !self.first) {
+            return;
+        }
+        let tension = memory.unwrap_or(&mut []);
+        if const { ACROSS > 0 && DOWN > 0 } {
+            let tension = if let [falling, rising, ..] = tension { Some([falling, rising]) } else { None };
+            pairs.diagonals::<ACROSS, DOWN, START, W>(self.cloth, tension, warm);
+        } else if const { DOWN == 0 } {
+            pairs.row::<ACROSS, START, W>(self.cloth, tension.first_mut(), warm);
+        } else {
+            pairs.column::<DOWN, START, W>(self.cloth, tension.first_mut(), warm);
         }
     }
 }
@@ -124,13 +120,24 @@ impl<S: Scalar, const W: usize, const H: usize, const N: usize> Visitor<S> for R
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let slot = self.slot;
-        self.slot += if ACROSS > 0 && DOWN > 0 { 2 } else { 1 };
-        match (ACROSS + DOWN == 1, self.pass) {
-            (true, Pass::Start) => self.clear(slot),
-            (true, Pass::Lines) => self.lines::<DOWN>(family, slot),
-            (false, Pass::Start) => self.others::<ACROSS, DOWN, true>(family, slot),
-            (false, Pass::Others) => self.others::<ACROSS, DOWN, false>(family, slot),
-            _ => {}
+        self.slot += slots::<ACROSS, DOWN>();
+        if const { ACROSS + DOWN == 1 } {
+            match self.pass {
+                Pass::Start => self.clear(slot),
+                Pass::Others => {}
+                Pass::Lines => self.lines::<DOWN>(family, slot),
+            }
+        } else {
+            match self.pass {
+                Pass::Start => self.others::<ACROSS, DOWN, true>(family, slot),
+                Pass::Others => self.others::<ACROSS, DOWN, false>(family, slot),
+                Pass::Lines => {}
+            }
         }
     }
+}
+
+/// The grids of multipliers of a family.
+const fn slots<const ACROSS: usize, const DOWN: usize>() -> usize {
+    if ACROSS > 0 && DOWN > 0 { 2 } else { 1 }
 }
