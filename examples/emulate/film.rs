@@ -9,11 +9,8 @@ use gif::{Encoder, Frame, Repeat};
 use crate::gdb::Result;
 use crate::pico::{SIDE, picture};
 
-/// A twentieth of a second, in hundredths.
-const DELAY: u16 = 5;
-
-/// Writes pictures one after another, forever.
-pub(crate) fn save(shots: &[Vec<u16>], path: &Path) -> Result<()> {
+/// Writes pictures one after another, forever, each as long as it stays on the display. Steps are thirtieths of a second.
+pub(crate) fn save(shots: &[Vec<u16>], steps: &[u32], path: &Path) -> Result<()> {
     let pictures: Vec<_> = shots.iter().map(|shot| picture(shot)).collect();
     let sample: Vec<u8> = pictures
         .iter()
@@ -25,11 +22,14 @@ pub(crate) fn save(shots: &[Vec<u16>], path: &Path) -> Result<()> {
     let side = SIDE as u16;
     let mut encoder = Encoder::new(File::create(path)?, side, side, &quantizer.color_map_rgb())?;
     encoder.set_repeat(Repeat::Infinite)?;
-    for picture in &pictures {
+    let hundredths = |step: u32| step * 100 / 30;
+    let mut before = 0;
+    for (picture, step) in pictures.iter().zip(steps) {
         let indices: Vec<u8> =
             picture.pixels().map(|pixel| quantizer.index_of(&[pixel[0], pixel[1], pixel[2], 255]) as u8).collect();
         let mut frame = Frame::from_indexed_pixels(side, side, indices, None);
-        frame.delay = DELAY;
+        frame.delay = (hundredths(*step) - hundredths(before)) as u16;
+        before = *step;
         encoder.write_frame(&frame)?;
     }
     Ok(())

@@ -36,9 +36,6 @@ struct Arguments {
     /// Where an animation of the display is written (pico).
     #[arg(long)]
     gif: Option<PathBuf>,
-    /// How many pictures there are to one of the animation.
-    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=60))]
-    every: u32,
     /// The time of an instruction is 2 to the power of this, in nanoseconds.
     #[arg(long, default_value_t = 0)]
     shift: u32,
@@ -98,10 +95,8 @@ fn run_oled(arguments: &Arguments) -> Result<()> {
 }
 
 fn run_pico(arguments: &Arguments) -> Result<()> {
-    let pictures = arguments.steps as usize;
-    let every = if arguments.gif.is_some() { arguments.every as usize } else { pictures };
-    let shots = (1..=pictures).filter(|picture| picture % every == 0).collect();
-    let run = pico::run(&pico::build(), &pico::Plan { pictures, shots, presses: Vec::new() })?;
+    let shots = if arguments.gif.is_some() { (1..=arguments.steps as usize).collect() } else { Vec::new() };
+    let run = pico::run(&pico::build(), &pico::Plan { until: arguments.steps, shots, presses: Vec::new() })?;
     run.log.iter().for_each(|line| println!("{line}"));
     let [used, size] = run.stack;
     println!("{used} of {size} bytes of stack were used");
@@ -112,7 +107,7 @@ fn run_pico(arguments: &Arguments) -> Result<()> {
         save(&photograph::photograph(&pico::picture(last), 2, 0), path)?;
     }
     if let Some(path) = &arguments.gif {
-        film::save(&run.shots, path)?;
+        film::save(&run.shots, &run.steps, path)?;
     }
     Ok(())
 }

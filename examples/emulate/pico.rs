@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use image::{Rgb, RgbImage};
 use object::read::elf::{ElfFile32, ProgramHeader};
-use object::{Endianness, Object};
+use object::Endianness;
 use serde::{Deserialize, Serialize};
 
 use crate::firmware::Firmware;
@@ -25,9 +25,9 @@ const FLASH: u32 = 0x1000_0000;
 /// What is done while the program runs: pictures are counted from one.
 #[derive(Clone, Debug, Default, Serialize)]
 pub(crate) struct Plan {
-    /// How many pictures it shows.
-    pub(crate) pictures: usize,
-    /// After which pictures the display is looked at.
+    /// The step whose picture is the last.
+    pub(crate) until: u32,
+    /// After which pictures, beside the last, the display is looked at.
     pub(crate) shots: Vec<usize>,
     /// After which pictures the button goes down or up.
     pub(crate) presses: Vec<(usize, bool)>,

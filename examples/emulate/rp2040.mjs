@@ -1,7 +1,7 @@
 // Runs a program on an emulated Raspberry Pi Pico with an LCD, from one picture to the next.
 //
 // node rp2040.mjs PACKAGE FLASH ORDERS: the folder of rp2040js, the flash's contents, and a JSON file
-// { stop, failed, log, stack: [end, start], pictures, shots: [picture, …], presses: [[picture, down], …] } with addresses of the program and numbers of pictures.
+// { stop, failed, log, stack: [end, start], until, shots: [picture, …], presses: [[picture, down], …] } with addresses of the program, the last step and numbers of pictures.
 // Prints JSON: { steps, shots: [[pixel, …], …], log: [byte, …], stack: [byte, …], on, errors }.
 import { readFile } from 'node:fs/promises';
 import { argv, stdout } from 'node:process';
@@ -133,14 +133,16 @@ function advance() {
 
 const steps = [];
 const shots = [];
-while (steps.length < orders.pictures && errors.length < 20) {
+while (errors.length < 20) {
     const at = core.PC;
     if (at === orders.stop) {
         // an interrupt comes back to the same place
         if (steps.at(-1) === core.registers[0]) { advance(); continue; }
         steps.push(core.registers[0]);
         drain();
-        if (orders.shots.includes(steps.length)) shots.push(Array.from(lcd.memory));
+        const last = steps.at(-1) >= orders.until;
+        if (last || orders.shots.includes(steps.length)) shots.push(Array.from(lcd.memory));
+        if (last) break;
         for (const [picture, down] of orders.presses) if (picture === steps.length) chip.gpio[BUTTON].setInputValue(!down);
     } else if (at === orders.failed) {
         drain();

@@ -4,7 +4,8 @@ use core::convert::Infallible;
 
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::digital::OutputPin;
-use embedded_hal::spi::SpiBus;
+use embedded_hal::spi::{ErrorType, SpiBus};
+use embedded_hal_nb::spi::FullDuplex;
 
 use crate::picture::Picture;
 
@@ -21,29 +22,32 @@ const COLUMNS: u16 = 0x2a;
 const ROWS: u16 = 0x2b;
 const PIXELS: u16 = 0x2c;
 
-impl<S: SpiBus<u16>, C: OutputPin<Error = Infallible>, D: OutputPin<Error = Infallible>> Lcd<S, C, D> {
+impl<S: SpiBus<u16> + FullDuplex<u16>, C: OutputPin<Error = Infallible>, D: OutputPin<Error = Infallible>> Lcd<S, C, D> {
     /// Sends a part of a picture, and waits until it has gone.
-    pub(crate) fn send(&mut self, picture: &Picture, area: &Rectangle) -> Result<(), S::Error> {
+    pub(crate) fn send(&mut self, picture: &Picture, area: &Rectangle) -> Result<(), <S as ErrorType>::Error> {
         let Some(end) = area.bottom_right() else { return Ok(()) };
         let Ok(()) = self.select.set_low();
         self.command(COLUMNS, &[area.top_left.x as u16, end.x as u16])?;
         self.command(ROWS, &[area.top_left.y as u16, end.y as u16])?;
         self.command(PIXELS, &[])?;
         for part in picture.parts(area) {
-            self.spi.write(part)?;
+            for pixel in part {
+                // nobody reads what comes back, so no frame waits for the one before
+                while let Err(nb::Error::WouldBlock) = FullDuplex::write(&mut self.spi, *pixel) {}
+            }
         }
-        self.spi.flush()?;
+        SpiBus::flush(&mut self.spi)?;
         let Ok(()) = self.select.set_high();
         Ok(())
     }
 
     /// A command is the lower half of a frame; the upper half is no operation.
-    fn command(&mut self, command: u16, parameters: &[u16]) -> Result<(), S::Error> {
-        self.spi.flush()?;
+    fn command(&mut self, command: u16, parameters: &[u16]) -> Result<(), <S as ErrorType>::Error> {
+        SpiBus::flush(&mut self.spi)?;
         let Ok(()) = self.data.set_low();
-        self.spi.write(&[command])?;
-        self.spi.flush()?;
+        SpiBus::write(&mut self.spi, &[command])?;
+        SpiBus::flush(&mut self.spi)?;
         let Ok(()) = self.data.set_high();
-        self.spi.write(parameters)
+        SpiBus::write(&mut self.spi, parameters)
     }
 }

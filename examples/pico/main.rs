@@ -21,7 +21,7 @@
 //! cargo run --profile board --features pico --target thumbv6m-none-eabi --example pico     # on a Pico with a probe
 //! ```
 //!
-//! A step is a 60th of a second. Where pictures take longer, three steps are made up between them and the rest is dropped. At rest there is neither a step nor a
+//! A step is a 30th of a second. Where pictures take longer, two steps are made up between them and the rest is dropped. At rest there is neither a step nor a
 //! byte for the display: the processor sleeps. The log goes through RTT.
 #![no_std]
 #![no_main]
@@ -61,14 +61,14 @@ use mipidsi::models::ST7789;
 use mipidsi::options::ColorInversion;
 use pace::Pace;
 use panic_probe as _;
-use picture::Picture;
+use picture::{BLACK, Picture, Rows};
 use rp2040_hal::clocks::{Clock as _, init_clocks_and_plls};
 use rp2040_hal::fugit::RateExtU32;
 use rp2040_hal::gpio::{FunctionSpi, Pins};
 use rp2040_hal::pac::{CorePeripherals, Peripherals};
 use rp2040_hal::{Sio, Spi, Timer, Watchdog};
 use show::{RATE, SCREEN, Show};
-use static_cell::StaticCell;
+use static_cell::{ConstStaticCell, StaticCell};
 
 /// What the boot ROM runs first: it makes the flash readable.
 #[unsafe(link_section = ".boot2")]
@@ -83,7 +83,7 @@ const CRYSTAL: u32 = 12_000_000;
 const LOGGED: u32 = 60;
 
 static SHOW: StaticCell<Show> = StaticCell::new();
-static CANVAS: StaticCell<Canvas<Picture>> = StaticCell::new();
+static ROWS: ConstStaticCell<Rows> = ConstStaticCell::new(BLACK);
 
 #[rp2040_hal::entry]
 fn main() -> ! {
@@ -129,11 +129,11 @@ fn main() -> ! {
     let mut lcd = Lcd { spi, select, data };
 
     let show = SHOW.init_with(Show::new);
-    let canvas = CANVAS.init_with(|| Canvas::new(Picture::new()));
+    let canvas = &mut Canvas::new(Picture::new(ROWS.take()));
     // what a display shows at first is anything
     let Ok(()) = canvas.clear(Rgb565::BLACK);
     let clock = Clock::start(core.SYST, clocks.system_clock.freq().to_Hz() / RATE);
-    let mut pace = Pace::new(3);
+    let mut pace = Pace::new(2);
     let mut meter = Meter::default();
     let (mut now, mut step, mut first, mut pressed) = (0, 0, true, false);
     loop {

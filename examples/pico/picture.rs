@@ -4,7 +4,7 @@ use core::convert::Infallible;
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{Dimensions, OriginDimensions, Point, Size};
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::image::GetPixel;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
@@ -15,15 +15,21 @@ use crate::show::SCREEN;
 const WIDTH: usize = SCREEN.width as usize;
 const HEIGHT: usize = SCREEN.height as usize;
 
-/// A picture of 240 × 240 pixels, 115 200 bytes.
+/// All pixels, black.
+pub(crate) const BLACK: Rows = [[0; WIDTH]; HEIGHT];
+
+/// The pixels, 115 200 bytes.
+pub(crate) type Rows = [[u16; WIDTH]; HEIGHT];
+
+/// A picture of 240 × 240 pixels, which no stack would hold.
 pub(crate) struct Picture {
-    rows: [[u16; WIDTH]; HEIGHT],
+    rows: &'static mut Rows,
 }
 
 impl Picture {
-    /// All black.
-    pub(crate) const fn new() -> Self {
-        Self { rows: [[0; WIDTH]; HEIGHT] }
+    /// A picture in these rows.
+    pub(crate) fn new(rows: &'static mut Rows) -> Self {
+        Self { rows }
     }
 
     /// The part of each row that lies in an area of the picture.
@@ -58,13 +64,15 @@ impl DrawTarget for Picture {
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: Rgb565) -> Result<(), Infallible> {
-        let area = area.intersection(&self.bounding_box());
-        let [left, top] = [area.top_left.x, area.top_left.y].map(|place| place as usize);
-        let [width, height] = [area.size.width, area.size.height].map(|side| side as usize);
         let color = RawU16::from(color).into_inner();
-        for row in self.rows.iter_mut().skip(top).take(height) {
-            if let Some(part) = row.get_mut(left..left + width) {
-                part.fill(color);
+        let end = area.top_left + area.size;
+        let within = |place: i32, side: usize| place.clamp(0, side as i32) as usize;
+        let columns = within(area.top_left.x, WIDTH)..within(end.x, WIDTH);
+        if let Some(rows) = self.rows.get_mut(within(area.top_left.y, HEIGHT)..within(end.y, HEIGHT)) {
+            for row in rows {
+                if let Some(part) = row.get_mut(columns.clone()) {
+                    part.fill(color);
+                }
             }
         }
         Ok(())

@@ -6,24 +6,24 @@ use embedded_graphics::primitives::Rectangle;
 use kerchief::render::pattern::{CELL, Pattern, Place};
 use kerchief::render::{Camera, Light, Look, Shade, Shaded, View};
 use kerchief::rest::Rest;
-use kerchief::{Cloth, Drag, Gravity, Node, Q13, Scene, Shear, Stretch, Units, Xpbd};
+use kerchief::{Cloth, Gravity, Node, Q13, Scene, Shear, Stretch, Units, Xpbd};
 
 use crate::breeze::Breeze;
 
 /// Particles a side.
 const SIDE: usize = 16;
 /// Steps in a second.
-pub(crate) const RATE: u32 = 60;
+pub(crate) const RATE: u32 = 30;
 /// The display.
 pub(crate) const SCREEN: Size = Size::new(240, 240);
 /// Substeps of a step.
-const SUBSTEPS: u32 = 4;
+const SUBSTEPS: u32 = 3;
 
-/// A flag of 3 m × 2 m.
-const UNITS: Units = Units::sheet([SIDE, SIDE], [3.0, 2.0], 0.003, 1.0 / RATE as f64, SUBSTEPS);
-const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.1, -0.4, -2.5]), UNITS.point([2.9, 0.4, 0.3]), SCREEN);
+/// A flag of 6 m × 4 m.
+const UNITS: Units = Units::sheet([SIDE, SIDE], [6.0, 4.0], 0.012, 1.0 / RATE as f64, SUBSTEPS);
+const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.2, -0.8, -5.0]), UNITS.point([5.8, 0.8, 0.6]), SCREEN);
 
-type Forces = (Gravity<Q13>, Drag<Q13>, Breeze);
+type Forces = (Gravity<Q13>, Breeze);
 type Springs = (Stretch<Q13>, Shear<Q13>);
 
 /// Three bands, the middle one narrower.
@@ -52,7 +52,7 @@ const LOOK: Look<Bands, Bands> = {
 };
 
 /// How it blows, by the button.
-const WINDS: [i32; 3] = [4, 6, 0];
+const WINDS: [i32; 3] = [7, 10, 0];
 
 /// The sky at the top and at the bottom.
 const SKY: [Rgb888; 2] = [Rgb888::new(84, 142, 190), Rgb888::new(236, 226, 206)];
@@ -83,15 +83,14 @@ impl Show {
         }
         let forces = (
             Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])),
-            Drag::new(UNITS.drag(1.0)),
             Breeze { wind: [0; 3] },
         );
         let links = (
-            Stretch::new(&UNITS, UNITS.stiffness(4_000.0)),
-            Shear::new(&UNITS, UNITS.stiffness(60.0)),
+            Stretch::new(&UNITS, UNITS.stiffness(8_000.0)),
+            Shear::new(&UNITS, UNITS.stiffness(240.0)),
         );
         let camera = Camera::new(&VIEW, SCREEN);
-        let pole = camera.project(UNITS.point([0.0, 0.0, -1.0]).to_vec()).map_or(0, |at| at.x);
+        let pole = camera.project(UNITS.point([0.0, 0.0, -2.0]).to_vec()).map_or(0, |at| at.x);
         Self {
             cloth,
             scene: Scene::new(&UNITS, forces, links, (), Xpbd),
@@ -116,7 +115,7 @@ impl Show {
             return false;
         }
         self.step += 1;
-        self.scene.forces.2.wind = self.gust();
+        self.scene.forces.1.wind = self.gust();
         self.scene.step(&mut self.cloth, &mut ());
         self.rest.watch(&self.cloth);
         true
@@ -125,9 +124,9 @@ impl Show {
     /// Wind that swells and turns.
     fn gust(&self) -> [i32; 3] {
         let strength = WINDS[self.wind];
-        let swell = 128 + wave(self.step) / 3 + wave(self.step * 3 / 2 + 40) / 4;
-        let turn = wave(self.step * 5 / 2) + wave(self.step * 7 / 4 + 90) / 2;
-        [strength * swell / 4, strength * turn / 8, strength * wave(self.step * 2 + 17) / 24]
+        let swell = 128 + wave(self.step * 2) / 3 + wave(self.step * 3 + 40) / 4;
+        let turn = wave(self.step * 5) + wave(self.step * 7 / 2 + 90) / 2;
+        [strength * swell / 4, strength * turn / 8, strength * wave(self.step * 4 + 17) / 24]
     }
 
     /// Draws the sky and the pole where they are seen on a target.

@@ -13,6 +13,11 @@ use super::camera::Spot;
 /// Twice the area that a triangle turns through from `a` over `b` to `c`: positive to the right-hand side (clockwise on a screen).
 pub(super) fn turn(a: Spot, b: Spot, c: Spot) -> i64 {
     let (ab, ac) = ((b.x - a.x, b.y - a.y), (c.x - a.x, c.y - a.y));
+    // a Cortex-M0 has no products of 64 bits: up to 128 pixels there is no need of one
+    let short = [ab.0, ab.1, ac.0, ac.1].into_iter().all(|side| side.unsigned_abs() < 1 << 15);
+    if short {
+        return i64::from(ab.0 * ac.1 - ab.1 * ac.0);
+    }
     i64::from(ab.0) * i64::from(ac.1) - i64::from(ab.1) * i64::from(ac.0)
 }
 
