@@ -83,6 +83,7 @@ impl Gdb {
     }
 
     /// Whether it does not stop for a while.
+    #[allow(dead_code, reason = "for the tests")]
     pub(crate) fn runs_for(&mut self, time: Duration) -> Result<bool> {
         self.output.set_nonblocking(true)?;
         let end = Instant::now() + time;

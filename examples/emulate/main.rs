@@ -9,8 +9,8 @@ mod film;
 mod firmware;
 mod gdb;
 mod oled;
-mod pico;
 mod photograph;
+mod pico;
 mod program;
 mod qemu;
 

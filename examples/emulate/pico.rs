@@ -7,8 +7,8 @@ use std::process::Command;
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use image::{Rgb, RgbImage};
-use object::read::elf::{ElfFile32, ProgramHeader};
 use object::Endianness;
+use object::read::elf::{ElfFile32, ProgramHeader};
 use serde::{Deserialize, Serialize};
 
 use crate::firmware::Firmware;

@@ -60,12 +60,14 @@ impl Qemu {
     }
 
     /// Whether it runs for a while without a picture. It goes on running.
+    #[allow(dead_code, reason = "for the tests")]
     pub(crate) fn rests(&mut self) -> Result<bool> {
         self.go()?;
         self.still_rests()
     }
 
     /// The same of a program that runs.
+    #[allow(dead_code, reason = "for the tests")]
     pub(crate) fn still_rests(&mut self) -> Result<bool> {
         self.gdb.runs_for(Duration::from_millis(500))
     }
@@ -92,6 +94,7 @@ impl Qemu {
     }
 
     /// Presses a key for some milliseconds of the emulated time. The program has to run.
+    #[allow(dead_code, reason = "for the tests")]
     pub(crate) fn press(&mut self, key: &str, milliseconds: u32) -> Result<()> {
         self.command(&format!("sendkey {key} {milliseconds}"))
     }

@@ -16,7 +16,7 @@ pub(crate) const RATE: u32 = 30;
 pub(crate) const SCREEN: Size = Size::new(128, 64);
 
 /// Substeps of a step.
-const SUBSTEPS: u32 = 6;
+const SUBSTEPS: u32 = 5;
 
 /// A theatre's curtain of 12 m × 6.4 m.
 const UNITS: Units = Units::sheet([SIDE, SIDE], [12.0, 6.4], 0.1, 1.0 / RATE as f64, SUBSTEPS);

@@ -22,7 +22,9 @@ const COLUMNS: u16 = 0x2a;
 const ROWS: u16 = 0x2b;
 const PIXELS: u16 = 0x2c;
 
-impl<S: SpiBus<u16> + FullDuplex<u16>, C: OutputPin<Error = Infallible>, D: OutputPin<Error = Infallible>> Lcd<S, C, D> {
+impl<S: SpiBus<u16> + FullDuplex<u16>, C: OutputPin<Error = Infallible>, D: OutputPin<Error = Infallible>>
+    Lcd<S, C, D>
+{
     /// Sends a part of a picture, and waits until it has gone.
     pub(crate) fn send(&mut self, picture: &Picture, area: &Rectangle) -> Result<(), <S as ErrorType>::Error> {
         let Some(end) = area.bottom_right() else { return Ok(()) };

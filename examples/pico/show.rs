@@ -19,9 +19,9 @@ pub(crate) const SCREEN: Size = Size::new(240, 240);
 /// Substeps of a step.
 const SUBSTEPS: u32 = 3;
 
-/// A flag of 6 m × 4 m.
-const UNITS: Units = Units::sheet([SIDE, SIDE], [6.0, 4.0], 0.012, 1.0 / RATE as f64, SUBSTEPS);
-const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.2, -0.8, -5.0]), UNITS.point([5.8, 0.8, 0.6]), SCREEN);
+/// A flag of 12 m × 8 m.
+const UNITS: Units = Units::sheet([SIDE, SIDE], [12.0, 8.0], 0.05, 1.0 / RATE as f64, SUBSTEPS);
+const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.4, -1.6, -10.0]), UNITS.point([11.6, 1.6, 1.2]), SCREEN);
 
 type Forces = (Gravity<Q13>, Breeze);
 type Springs = (Stretch<Q13>, Shear<Q13>);
@@ -52,7 +52,7 @@ const LOOK: Look<Bands, Bands> = {
 };
 
 /// How it blows, by the button.
-const WINDS: [i32; 3] = [7, 10, 0];
+const WINDS: [i32; 3] = [5, 8, 0];
 
 /// The sky at the top and at the bottom.
 const SKY: [Rgb888; 2] = [Rgb888::new(84, 142, 190), Rgb888::new(236, 226, 206)];
@@ -81,16 +81,10 @@ impl Show {
         for row in 0..SIDE {
             cloth.pin(Node::new(0, row));
         }
-        let forces = (
-            Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])),
-            Breeze { wind: [0; 3] },
-        );
-        let links = (
-            Stretch::new(&UNITS, UNITS.stiffness(8_000.0)),
-            Shear::new(&UNITS, UNITS.stiffness(240.0)),
-        );
+        let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), Breeze { wind: [0; 3] });
+        let links = (Stretch::new(&UNITS, UNITS.stiffness(60_000.0)), Shear::new(&UNITS, UNITS.stiffness(4_000.0)));
         let camera = Camera::new(&VIEW, SCREEN);
-        let pole = camera.project(UNITS.point([0.0, 0.0, -2.0]).to_vec()).map_or(0, |at| at.x);
+        let pole = camera.project(UNITS.point([0.0, 0.0, -4.0]).to_vec()).map_or(0, |at| at.x);
         Self {
             cloth,
             scene: Scene::new(&UNITS, forces, links, (), Xpbd),
