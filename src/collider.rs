@@ -8,6 +8,7 @@ mod plane;
 mod sphere;
 
 use crate::cloth::Cloth;
+use crate::fingerprint::Fingerprint;
 use crate::grid::Node;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -35,6 +36,13 @@ pub trait Collider<S: Scalar> {
     /// Moves the collider on to `end`, the end of a frame.
     #[inline]
     fn advance(&mut self, _end: Moment) {}
+
+    /// Takes all in that the collider depends on, so that a sheet at rest wakes when it changes: see [`rest`](crate::rest). What is left at its default
+    /// keeps sheets awake.
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.unknown();
+    }
 }
 
 /// Moves every free particle out of `colliders`.
@@ -100,6 +108,9 @@ impl<S: Scalar> Collider<S> for () {
     fn contact(&self, _moment: Moment, _position: Vec3<S>, _moved: Vec3<S>) -> Option<Vec3<S>> {
         None
     }
+
+    #[inline]
+    fn fingerprint(&self, _print: &mut Fingerprint) {}
 }
 
 impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {
@@ -123,6 +134,12 @@ impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {
             collider.advance(end);
         }
     }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.word(self.len() as u32);
+        self.iter().for_each(|collider| collider.fingerprint(print));
+    }
 }
 
 impl<S: Scalar, T: Collider<S>, const N: usize> Collider<S> for heapless::Vec<T, N> {
@@ -139,6 +156,11 @@ impl<S: Scalar, T: Collider<S>, const N: usize> Collider<S> for heapless::Vec<T,
     #[inline]
     fn advance(&mut self, end: Moment) {
         self.as_mut_slice().advance(end);
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        self.as_slice().fingerprint(print);
     }
 }
 
@@ -181,6 +203,13 @@ macro_rules! tuple {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
                 $($name.advance(end);)+
+            }
+
+            #[inline]
+            fn fingerprint(&self, print: &mut Fingerprint) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.fingerprint(print);)+
             }
         }
     };

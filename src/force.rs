@@ -4,6 +4,7 @@
 
 mod wind;
 
+use crate::fingerprint::Fingerprint;
 use crate::scalar::Scalar;
 use crate::units::{Acceleration, DragRate};
 use crate::vec3::Vec3;
@@ -43,6 +44,13 @@ pub trait Force<S: Scalar> {
     /// Adds the velocities that the particles of two neighbouring rows would gain from the cells between them.
     #[inline]
     fn cells<const W: usize>(&self, _rows: [Row<'_, S, W>; 2], _gains: [&mut Vec3<[S; W]>; 2]) {}
+
+    /// Takes all in that the force depends on, so that a sheet at rest wakes when it changes: see [`rest`](crate::rest). What is left at its default keeps
+    /// sheets awake.
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.unknown();
+    }
 }
 
 /// A row of particles.
@@ -102,6 +110,11 @@ impl<S: Scalar> Force<S> for Gravity<S> {
     fn uniform(&self) -> Vec3<S> {
         self.gain
     }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.vector(self.gain);
+    }
 }
 
 /// Drag in proportion to a particle's mass and velocity, `−m·γ·v`.
@@ -126,10 +139,19 @@ impl<S: Scalar> Force<S> for Drag<S> {
     fn drag(&self) -> Slowdown<S> {
         self.slowdown
     }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        let Slowdown { rate, decay, gain } = self.slowdown;
+        print.numbers([rate, decay, gain]);
+    }
 }
 
 impl<S: Scalar> Force<S> for () {
     const UNIFORM: bool = false;
+
+    #[inline]
+    fn fingerprint(&self, _print: &mut Fingerprint) {}
 }
 
 /// A force that is there or not, decided while the program runs.
@@ -142,6 +164,14 @@ impl<S: Scalar, T: Force<S>> Force<S> for Option<T> {
     #[inline]
     fn uniform(&self) -> Vec3<S> {
         self.as_ref().map_or(Vec3::ZERO, T::uniform)
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.word(u32::from(self.is_some()));
+        if let Some(force) = self {
+            force.fingerprint(print);
+        }
     }
 
     #[inline]
@@ -182,6 +212,13 @@ macro_rules! tuple {
                     gain = Some(gain.map_or(uniform, |gain| gain + uniform));
                 })+
                 gain.unwrap_or(Vec3::ZERO)
+            }
+
+            #[inline]
+            fn fingerprint(&self, print: &mut Fingerprint) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.fingerprint(print);)+
             }
 
             #[inline]

@@ -35,11 +35,12 @@
 //! | [`vec3`], [`grid`], [`vectors`] | vectors, and numbers and vectors on a grid |
 //! | [`units`] | cells, ticks and particle masses; the way in from SI |
 //! | [`moment`] | where in a frame a solver is |
+//! | [`fingerprint`] | whether numbers have changed |
 //! | [`cloth`] | the state of a sheet |
 //! | [`force`], [`link`], [`collider`] | what acts on it |
 //! | [`solver`] | the ways to move it |
-//! | [`scene`] | the description, and the step |
 //! | [`rest`] | when nothing moves, nothing is computed |
+//! | [`scene`] | the description, and the step |
 //! | [`measure`] | strain, energy, momentum, digest |
 //! | `render` | drawing on any `embedded-graphics` display (feature `graphics`) |
 //! | `host` | scene files, for programs on a host (feature `std`) |
@@ -59,6 +60,7 @@ compile_error!("the features `std` and `window` are for programs on a host: buil
 
 pub mod cloth;
 pub mod collider;
+pub mod fingerprint;
 pub mod force;
 pub mod grid;
 #[cfg(feature = "std")]
@@ -84,6 +86,7 @@ pub use grid::{Grid, Node};
 pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
 pub use material::Material;
 pub use moment::Moment;
+pub use rest::{Resting, Stillness};
 pub use scalar::{Fixed24, Q13, Q24, Scalar};
 pub use scene::Scene;
 pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Solver, Verlet, Xpbd};

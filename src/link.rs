@@ -9,6 +9,7 @@ mod spring;
 mod tether;
 
 use crate::cloth::Cloth;
+use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::{Rest, Scalar};
 use crate::units::Strength;
@@ -35,6 +36,13 @@ pub trait Links<S: Scalar> {
     /// Moves particles, once the springs are done, until what the links forbid is no more.
     #[inline]
     fn confine<const W: usize, const H: usize>(&self, _cloth: &mut Cloth<S, W, H>, _moment: Moment) {}
+
+    /// Takes all in that the links depend on, so that a sheet at rest wakes when it changes: see [`rest`](crate::rest). What is left at its default keeps
+    /// sheets awake.
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.unknown();
+    }
 }
 
 /// Sees families of links one by one.
@@ -79,6 +87,11 @@ impl<S: Scalar> Quotient<S> {
         self.dividend.divide(self.divisor + self.dividend * inverse_mass)
     }
 
+    /// Takes the quotient in.
+    pub(crate) fn fingerprint(self, print: &mut Fingerprint) {
+        print.numbers([self.dividend, self.divisor]);
+    }
+
     /// κ times a factor up to 1. The larger of dividend and divisor is 1 again.
     #[must_use]
     pub fn scaled(self, factor: S) -> Self {
@@ -91,7 +104,10 @@ impl<S: Scalar> Quotient<S> {
     }
 }
 
-impl<S: Scalar> Links<S> for () {}
+impl<S: Scalar> Links<S> for () {
+    #[inline]
+    fn fingerprint(&self, _print: &mut Fingerprint) {}
+}
 
 /// Links that are there or not, decided while the program runs.
 impl<S: Scalar, T: Links<S>> Links<S> for Option<T> {
@@ -117,6 +133,14 @@ impl<S: Scalar, T: Links<S>> Links<S> for Option<T> {
             links.confine(cloth, moment);
         }
     }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.word(u32::from(self.is_some()));
+        if let Some(links) = self {
+            links.fingerprint(print);
+        }
+    }
 }
 
 macro_rules! tuple {
@@ -136,6 +160,13 @@ macro_rules! tuple {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
                 $($name.dampers(visitor);)+
+            }
+
+            #[inline]
+            fn fingerprint(&self, print: &mut Fingerprint) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.fingerprint(print);)+
             }
 
             #[inline]

@@ -1,101 +1,245 @@
-//! When nothing moves, nothing needs to be computed.
+//! When nothing moves, nothing is computed.
+//!
+//! [`Resting`] is a solver around another one. It lets the other one move the sheet until the sheet is still, and from then on only looks whether
+//! anything is another than it was: position, velocity or mass of a particle, a force, a link, a collider. If so, the other solver goes on from where it
+//! was, with that same frame. A sheet at rest keeps its bits; what a scene does not wrap costs nothing.
+//!
+//! ```
+//! use kerchief::rest::{Resting, Stillness};
+//! use kerchief::*;
+//!
+//! const UNITS: Units = Units::sheet([8, 8], [0.3, 0.3], 1e-3, 1.0 / 60.0, 4);
+//! let mut cloth = Cloth::<Q24, 8, 8>::hang(&UNITS, UNITS.point([0.0, 0.0, 0.3]));
+//! (0..8).for_each(|column| cloth.pin(Node::new(column, 0)));
+//! let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), Drag::new(UNITS.drag(3.0)));
+//! let links = (Stretch::new(&UNITS, UNITS.stiffness(50.0)), Shear::new(&UNITS, UNITS.stiffness(5.0)));
+//! let mut scene = Scene::new(&UNITS, forces, links, (), Resting::new(&UNITS, Stillness::DEFAULT, Lines::new()));
+//! let mut memory = scene.memory();
+//! (0..600).for_each(|_| scene.step(&mut cloth, &mut memory));
+//! assert!(memory.is_at_rest());
+//!
+//! scene.forces.0 = Gravity::new(UNITS.acceleration([1.0, 0.0, -9.81])); // the board is tilted
+//! scene.step(&mut cloth, &mut memory);
+//! assert!(!memory.is_at_rest());
+//! ```
+//!
+//! A frame that leaves the sheet where it was need not be drawn again: that is one with [`Memory::is_at_rest`] before and after it.
+//!
+//! Forces, links and colliders of one's own keep the sheet awake unless they tell what they consist of
+//! ([`Force::fingerprint`], [`Links::fingerprint`], [`Collider::fingerprint`]); a ball that travels keeps it awake too.
 
 use crate::cloth::Cloth;
+use crate::collider::Collider;
+use crate::fingerprint::Fingerprint;
+use crate::force::Force;
+use crate::grid::Grid;
+use crate::link::Links;
+use crate::moment::Moment;
 use crate::scalar::Scalar;
+use crate::solver::{Physics, Solver};
 use crate::units::Units;
+use crate::vec3::Vec3;
 
-/// Watches a sheet and says when it has come to rest: when for some frames no particle was faster than a limit. One frame is not enough, because all that swings
-/// stands still where it turns.
+/// What counts as still: for `time` no particle is faster than `speed` along any axis, and the speed of the fastest one changes by less than `acceleration`
+/// times `time`. Every pin that moves is motion, however slow.
 ///
-/// What moves a sheet from outside [wakes](Self::wake) it.
-///
-/// ```
-/// use kerchief::{rest::Rest, *};
-///
-/// const UNITS: Units = Units::sheet([4, 4], [0.3, 0.3], 1e-3, 1.0 / 60.0, 8);
-/// let mut cloth = Cloth::<Q24, 4, 4>::hang(&UNITS, UNITS.point([0.0; 3]));
-/// let scene = Scene::new(&UNITS, (), Stretch::new(&UNITS, UNITS.stiffness(100.0)), (), Xpbd);
-/// let mut rest = Rest::new(&UNITS, 0.01, 10);
-/// let mut frames = 0;
-/// while !rest.has_come() {
-///     scene.step(&mut cloth, &mut ());
-///     rest.watch(&cloth);
-///     frames += 1;
-/// }
-/// assert_eq!(frames, 10);
-/// ```
+/// The speed alone would freeze a sheet where it turns back in a slow swing, or where it begins to fall: there it is accelerated. What counts as still is then
+/// a swing that is never much faster than `speed`, and a fall by less than `acceleration`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rest<S> {
-    /// Cells per tick, along each axis.
-    limit: S,
-    /// Frames without motion that make rest.
-    enough: u32,
-    /// Frames without motion so far.
-    still: u32,
+pub struct Stillness {
+    /// m/s, positive
+    pub speed: f64,
+    /// m/s², positive
+    pub acceleration: f64,
+    /// s, positive
+    pub time: f64,
 }
 
-impl<S: Scalar> Rest<S> {
-    /// Rest is `frames` frames in which no particle has a velocity of more than `limit` m/s along any axis.
-    pub fn new(units: &Units, limit: f64, frames: u32) -> Self {
-        Self { limit: S::from_f64(units.velocity([limit, 0.0, 0.0]).0[0]), enough: frames, still: 0 }
-    }
+impl Stillness {
+    /// 1 mm/s and 1 mm/s² (a ten-thousandth of a weight) for half a second. A swing of a second's period is frozen where it is smaller than 0.08 mm, one
+    /// of four seconds' where it is smaller than 0.8 mm. Larger values freeze what can be seen to move; with much smaller ones a sheet that is moved by
+    /// rounding alone never rests.
+    pub const DEFAULT: Self = Self { speed: 1e-3, acceleration: 1e-3, time: 0.5 };
+}
 
-    /// Looks at a sheet after a frame, and says whether it moved.
-    pub fn watch<const W: usize, const H: usize>(&mut self, cloth: &Cloth<S, W, H>) -> bool {
-        let moved = cloth.velocity.values().any(|v| v.x.abs().max(v.y.abs()).max(v.z.abs()) > self.limit);
-        self.still = if moved { 0 } else { self.still.saturating_add(1) };
-        moved
-    }
+/// A solver that stops when the sheet is still.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resting<V> {
+    /// What moves the sheet.
+    pub solver: V,
+    threshold: Threshold,
+}
 
-    /// Whether the sheet rests.
-    pub fn has_come(&self) -> bool {
-        self.still >= self.enough
-    }
-
-    /// Ends the rest.
-    pub fn wake(&mut self) {
-        self.still = 0;
+impl<V> Resting<V> {
+    /// `solver`, until the sheet is as still as `stillness` in these units.
+    pub const fn new(units: &Units, stillness: Stillness, solver: V) -> Self {
+        Self { solver, threshold: Threshold::new(units, stillness) }
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Gravity, Node, Q24, Scene, Shear, Stretch, Xpbd};
+/// A [`Stillness`] in the sheet's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Threshold {
+    /// Cells per tick.
+    pub speed: f64,
+    /// The change of speed, cells per tick.
+    pub change: f64,
+    /// How long, frames.
+    pub frames: u32,
+}
 
-    const UNITS: Units = Units::sheet([5, 5], [0.2, 0.2], 1e-3, 1.0 / 60.0, 8);
-
-    /// A sheet that swings on two corners until it rests, or for a while: the frame and the sheet's largest speed there, m/s.
-    fn swing<S: Scalar>(drag: f64) -> Option<u32> {
-        let mut cloth = Cloth::<S, 5, 5>::hang(&UNITS, UNITS.point([0.0; 3]));
-        cloth.pin(Node::new(0, 0));
-        cloth.pin(Node::new(4, 0));
-        let forces = (Gravity::new(UNITS.acceleration([0.0, 3.0, -9.0])), crate::Drag::new(UNITS.drag(drag)));
-        let links = (Stretch::new(&UNITS, UNITS.stiffness(100.0)), Shear::new(&UNITS, UNITS.stiffness(10.0)));
-        let scene = Scene::new(&UNITS, forces, links, (), Xpbd);
-        let mut rest = Rest::new(&UNITS, 2e-3, 12);
-        (0..3000).find(|_| {
-            scene.step(&mut cloth, &mut ());
-            rest.watch(&cloth);
-            rest.has_come()
-        })
+impl Threshold {
+    /// The nearest threshold; a frame at least.
+    pub const fn new(units: &Units, stillness: Stillness) -> Self {
+        let Stillness { speed, acceleration, time } = stillness;
+        let scale = units.tick() / units.cell;
+        // rounded up; the conversion saturates
+        let frames = (time / units.frame) as u32;
+        let frames = if frames as f64 * units.frame < time { frames.saturating_add(1) } else { frames };
+        Self { speed: speed * scale, change: acceleration * time * scale, frames: if frames > 0 { frames } else { 1 } }
     }
 
-    #[test]
-    fn a_damped_sheet_comes_to_rest_and_a_swinging_one_does_not() {
-        for found in [swing::<f64>(3.0), swing::<f32>(3.0), swing::<Q24>(3.0)] {
-            assert!(found.is_some_and(|frame| (60..600).contains(&frame)), "{found:?}");
+    /// Lets `solver` move the sheet by a frame, unless it is at rest.
+    #[inline]
+    pub fn frame<S: Scalar, V: Solver<S>, F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        solver: &V,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        memory: &mut Memory<V::Memory<W, H>, S>,
+        end: Moment,
+    ) {
+        let watch = &mut memory.watch;
+        if watch.at_rest {
+            if state(surroundings(physics), cloth).matches(watch.seen) {
+                return;
+            }
+            *watch = Watch::AWAKE;
         }
-        assert_eq!(swing::<f64>(0.0), None);
+        solver.frame(physics, cloth, &mut memory.solver, end);
+        let Some(speed) = fastest(cloth, S::from_f64(self.speed)) else {
+            *watch = Watch::AWAKE;
+            return;
+        };
+        let seen = surroundings(physics);
+        let [slowest, fastest] = [watch.slowest.min(speed), watch.fastest.max(speed)];
+        let goes_on = watch.frames > 0 && seen.matches(watch.seen) && fastest - slowest < S::from_f64(self.change);
+        *watch = if goes_on {
+            Watch { frames: watch.frames + 1, seen, slowest, fastest, at_rest: false }
+        } else {
+            Watch { frames: 1, seen, slowest: speed, fastest: speed, at_rest: false }
+        };
+        if watch.frames >= self.frames {
+            watch.at_rest = true;
+            watch.seen = state(seen, cloth);
+        }
+    }
+}
+
+/// What a solver remembers, and since when its sheet is still.
+#[derive(Clone, Copy, Debug)]
+pub struct Memory<M, S> {
+    solver: M,
+    watch: Watch<S>,
+}
+
+impl<M, S: Scalar> Memory<M, S> {
+    /// The memory of a sheet in motion.
+    pub fn new(solver: M) -> Self {
+        Self { solver, watch: Watch::AWAKE }
     }
 
-    #[test]
-    fn what_is_woken_rests_anew() {
-        let cloth = Cloth::<f32, 5, 5>::hang(&UNITS, UNITS.point([0.0; 3]));
-        let mut rest = Rest::new(&UNITS, 1e-3, 2);
-        assert!(!rest.watch(&cloth) && !rest.has_come());
-        assert!(!rest.watch(&cloth) && rest.has_come());
-        rest.wake();
-        assert!(!rest.has_come());
+    /// What the solver remembers, to move the sheet without this: it then counts as in motion.
+    pub const fn solver(&mut self) -> &mut M {
+        self.watch = Watch::AWAKE;
+        &mut self.solver
+    }
+
+    /// Whether the last frame ended at rest: the next one is not computed if nothing changes.
+    pub const fn is_at_rest(&self) -> bool {
+        self.watch.at_rest
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Watch<S> {
+    /// For how many frames the sheet has been still.
+    frames: u32,
+    /// All that surrounds the sheet; at rest the sheet too.
+    seen: Fingerprint,
+    /// The speed of the fastest particle in these frames, cells per tick.
+    slowest: S,
+    fastest: S,
+    at_rest: bool,
+}
+
+impl<S: Scalar> Watch<S> {
+    const AWAKE: Self =
+        Self { frames: 0, seen: Fingerprint::new(), slowest: S::ZERO, fastest: S::ZERO, at_rest: false };
+}
+
+/// The largest speed of a particle along an axis; `None` where one is faster than `limit` or a pin moves, which in motion is one of the first that are
+/// looked at.
+fn fastest<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, limit: S) -> Option<S> {
+    let mut largest = S::ZERO;
+    for node in Grid::<S, W, H>::nodes() {
+        let Vec3 { x, y, z } = cloth.velocity.at(node);
+        let limit = if cloth.is_pinned(node) { S::ZERO } else { limit };
+        for speed in [x.abs(), y.abs(), z.abs()] {
+            // what is undefined is in no order
+            if !(speed <= limit) {
+                return None;
+            }
+            largest = largest.max(speed);
+        }
+    }
+    Some(largest)
+}
+
+fn surroundings<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>>(physics: Physics<'_, F, L, C>) -> Fingerprint {
+    let mut print = Fingerprint::new();
+    physics.forces.fingerprint(&mut print);
+    physics.links.fingerprint(&mut print);
+    physics.colliders.fingerprint(&mut print);
+    print
+}
+
+fn state<S: Scalar, const W: usize, const H: usize>(mut print: Fingerprint, cloth: &Cloth<S, W, H>) -> Fingerprint {
+    for row in 0..H {
+        let (x, v, w) = (&cloth.position.0[row], &cloth.velocity.0[row], &cloth.inverse_mass.0[row]);
+        for column in 0..W {
+            let (x, v) = (x.at(column), v.at(column));
+            print.numbers([x.x, x.y, x.z, v.x, v.y, v.z, w[column]]);
+        }
+    }
+    print
+}
+
+impl<S: Scalar, V: Solver<S>> Solver<S> for Resting<V> {
+    type Memory<const W: usize, const H: usize> = Memory<V::Memory<W, H>, S>;
+
+    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+        Memory::new(self.solver.memory())
+    }
+
+    fn frame<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        memory: &mut Self::Memory<W, H>,
+        end: Moment,
+    ) {
+        self.threshold.frame(&self.solver, physics, cloth, memory, end);
+    }
+
+    /// A substep alone always moves the sheet.
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        memory: &mut Self::Memory<W, H>,
+        moment: Moment,
+    ) {
+        self.solver.substep(physics, cloth, memory.solver(), moment);
     }
 }

@@ -146,6 +146,9 @@ pub trait Scalar:
     /// Passes the number's bits, least significant byte first, to `hash`.
     fn bits(self, hash: impl FnMut(u8));
 
+    /// The number's bits, folded into 32.
+    fn word(self) -> u32;
+
     /// Whether the number is neither infinite nor undefined; always true in fixed point.
     fn is_finite(self) -> bool;
 

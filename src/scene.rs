@@ -52,11 +52,8 @@ impl<F, L, C, V> Scene<F, L, C, V> {
         C: Collider<S>,
         V: Solver<S>,
     {
-        let Self { forces, links, colliders, solver, substeps, shift } = self;
-        for substep in 1..=*substeps {
-            let moment = Moment { substep, shift: *shift, halves: 2 };
-            solver.substep(Physics { forces, links, colliders }, cloth, memory, moment);
-        }
+        let Self { forces, links, colliders, solver, .. } = self;
+        solver.frame(Physics { forces, links, colliders }, cloth, memory, self.end());
     }
 
     /// Moves the colliders on to the end of a frame: call it after all sheets have made their step.

@@ -66,6 +66,20 @@ pub trait Solver<S: Scalar> {
     /// Memory for a sheet at the start of its motion.
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H>;
 
+    /// Moves `cloth` by the substeps of a frame up to its `end`. Cannot fail.
+    #[inline]
+    fn frame<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        memory: &mut Self::Memory<W, H>,
+        end: Moment,
+    ) {
+        for substep in 1..=end.substep {
+            self.substep(physics, cloth, memory, Moment { substep, ..end });
+        }
+    }
+
     /// Moves `cloth` by one substep. Cannot fail.
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,

@@ -240,6 +240,47 @@ fn grids_and_parameters() {
     assert!(picture.width() > 3 * 300 && picture.pixels().any(|pixel| pixel.0 != [255; 3]));
 }
 
+/// Leapfrog ends where theory says, lines hold everywhere.
+#[test]
+fn maps_of_stability() {
+    let room = room();
+    let room = room.path();
+    let args = ["--solvers", "leapfrog,lines", "--scalars", "f64,q24", "--points", "4", "--steps", "120"];
+    succeeds(room, "stability", &args);
+    let out = room.join("out/stability");
+    let expected = "stability-compliance-strain.svg stability-grid-strain.svg stability-mass-strain.svg \
+                    stability-stiffness-energy.svg stability-stiffness-strain.svg stability-wind-strain.svg stability.csv stability.md";
+    assert_eq!(names(&out).join(" "), expected);
+    let (head, rows) = table(&out.join("stability.csv"));
+    assert_eq!(head.join(" "), "map solver scalar across up outcome strain energy");
+    let number = |row: &BTreeMap<String, String>, key: &str| row[key].parse::<f64>().unwrap();
+    let (mut below, mut above) = (0, 0);
+    for row in rows.iter().filter(|row| row["map"] == "stiffness" && row["scalar"] == "f64") {
+        // ω² = 4·(k + k_shear)/m, 0.2 kg in 64 particles
+        let limit = (0.2 / 64.0 / (1.1 * number(row, "across"))).sqrt();
+        let step = number(row, "up") / limit;
+        if row["solver"] == "lines" {
+            assert_eq!(row["outcome"], "held", "{row:?}");
+        } else if step < 0.9 {
+            assert_eq!(row["outcome"], "held", "{row:?}");
+            below += 1;
+        } else if step > 1.5 {
+            assert_eq!(row["outcome"], "gone", "{row:?}");
+            above += 1;
+        }
+    }
+    assert!(below > 1 && above > 1, "{below} steps below the limit, {above} above");
+    for row in rows.iter().filter(|row| row["solver"] == "lines" && row["map"] != "compliance") {
+        assert_ne!(row["outcome"], "gone", "{row:?}");
+    }
+    for map in ["compliance", "grid", "mass", "stiffness", "wind"] {
+        let path = out.join(format!("stability-{map}-strain.svg"));
+        assert_plot(&path, &["limit of theory", "lines q24", "leapfrog f64", "gone"], 2);
+    }
+    let page = fs::read_to_string(out.join("stability.md")).unwrap();
+    assert!(page.contains("| leapfrog, theory |") && page.contains("| lines q24 |"), "{page}");
+}
+
 #[test]
 fn what_is_wrong_is_one_line() {
     let room = room();
@@ -279,6 +320,13 @@ fn what_is_wrong_is_one_line() {
         (&["tiny.toml", "--out", "small.toml/out"], "--out: small.toml/out: "),
     ] {
         refuses(room, "convergence", args, reason);
+    }
+    for (args, reason) in [
+        (&["--points", "1"][..], "'--points <N>'"),
+        (&["--solvers", "magic"], "[possible values: verlet, "),
+        (&["--out", "small.toml"], "--out: small.toml: "),
+    ] {
+        refuses(room, "stability", args, reason);
     }
     for (args, reason) in [
         (&["--sides", "8,9"][..], "one of 8, 12, 16, 24, 32, 48, 64"),

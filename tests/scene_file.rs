@@ -1,5 +1,6 @@
 //! Scene files: what a good one means, and the line that a bad one gets.
 
+use kerchief::Stillness;
 use kerchief::host::{BUILT_IN, DEFAULT_SCENE, Description, Pose, SHAPES, SolverKind, Weave, WindModel, built_in};
 
 /// A good scene that names every key, for the tests to spoil.
@@ -53,8 +54,12 @@ kind = "leapfrog"
 step = 0.1
 substeps = 8
 iterations = 3
+sweeps = 5
 tolerance = 0.01
 strain_limit = 0.1
+[rest]
+speed = 0.002
+time = 2
 [run]
 frames = 20
 [picture]
@@ -105,10 +110,13 @@ fn a_scene_means_what_it_says() {
     assert!((normal[1] - 0.6).abs() < 1e-15 && (normal[2] - 0.8).abs() < 1e-15, "{normal:?}");
     assert_eq!(scene.capsules[0].b, [0.0, 0.0, 1.0]);
     assert_eq!((scene.solver.kind, scene.solver.substeps, scene.solver.iterations), (SolverKind::Leapfrog, 8, 3));
+    assert_eq!(scene.solver.sweeps, Some(5));
     assert_eq!(
         (scene.solver.step, scene.solver.tolerance, scene.solver.strain_limit, scene.frames),
         (0.1, 0.01, Some(0.1), 20)
     );
+    let acceleration = Stillness::DEFAULT.acceleration;
+    assert_eq!(scene.rest, Some(Stillness { speed: 0.002, acceleration, time: 2.0 }));
     let picture = &scene.picture;
     assert_eq!((picture.azimuth, picture.elevation, picture.bands), (-40.0, 20.0, 5));
     assert_eq!(picture.frame, Some([[-1.0, -1.0, 0.0], [1.0, 1.0, 2.0]]));
@@ -122,10 +130,11 @@ fn what_is_left_out_is_off() {
     assert!(scene.stretch.is_none() && scene.shear.is_none() && scene.bend.is_none());
     assert!(scene.tether_slack.is_none() && scene.drag.is_none() && scene.wind.is_none());
     assert!(scene.spheres.is_empty() && scene.planes.is_empty() && scene.capsules.is_empty());
-    assert!(scene.sheet.pins.is_empty());
+    assert!(scene.sheet.pins.is_empty() && scene.rest.is_none());
     assert_eq!([scene.sheet.mass_at(0, 0), scene.sheet.mass_at(1, 1)], [1.0, 1.0]);
     assert_eq!((scene.gravity, scene.sheet.pose), ([0.0; 3], Pose::Lay));
-    assert_eq!((scene.solver.iterations, scene.solver.tolerance, scene.solver.strain_limit), (1, 0.02, None));
+    let solver = scene.solver;
+    assert_eq!((solver.iterations, solver.sweeps, solver.tolerance, solver.strain_limit), (1, None, 0.02, None));
 }
 
 #[test]
@@ -232,6 +241,7 @@ fn unknown_keys() {
         ("normal = [0.0, 3.0, 4.0]", "normals = [0.0, 3.0, 4.0]", "plane[0].normals", "unknown key"),
         ("b = [0.0, 0.0, 1.0]", "c = [0.0, 0.0, 1.0]", "capsule[0].c", "unknown key"),
         ("substeps = 8", "sub_steps = 8", "solver.sub_steps", "unknown key"),
+        ("time = 2\n", "seconds = 2\n", "rest.seconds", "unknown key, expected one of `speed`"),
         ("frames = 20", "seconds = 20", "run.seconds", "unknown key, expected `frames`"),
         ("frames = 20", "\"a\\nb\" = 20", "run.a\nb", "run.a\\nb: unknown key"),
     ]);
@@ -301,7 +311,10 @@ fn numbers_out_of_range() {
         ("substeps = 8", "substeps = 0", "solver.substeps", "from 1 to 1048576, is 0"),
         ("substeps = 8", "substeps = -8", "solver.substeps", "is -8"),
         ("iterations = 3", "iterations = 0", "solver.iterations", "is 0"),
+        ("sweeps = 5", "sweeps = 0", "solver.sweeps", "is 0"),
         ("tolerance = 0.01", "tolerance = 0.0", "solver.tolerance", "must be above zero"),
+        ("speed = 0.002", "speed = 0", "rest.speed", "must be above zero"),
+        ("time = 2\n", "time = -2\n", "rest.time", "must be above zero"),
         ("strain_limit = 0.1", "strain_limit = -0.1", "solver.strain_limit", "must be above zero"),
         ("frames = 20", "frames = 0", "run.frames", "is 0"),
         ("frames = 20", "frames = 99999999999", "run.frames", "is 99999999999"),

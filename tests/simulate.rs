@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-use kerchief::host::{Description, SHAPES, ScalarKind, SolverKind};
+use kerchief::host::{Description, SHAPES, ScalarKind, Simulation, SolverKind, Wind, WindModel};
 use tempfile::TempDir;
 
 /// A scene that runs in an instant.
@@ -141,6 +141,72 @@ fn options_that_are_wrong() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn directories_that_cannot_be_written() {
+    let room = room();
+    refuses(room.path(), &["small.toml", "--out", "/proc"], "--out: /proc: ");
+    refuses(room.path(), &["small.toml", "--out", "/proc/none/of/this"], "--out: /proc/none/of/this: ");
+}
+
+/// A disk that is full, here by a limit on the size of files: whatever was there stays as it was, and nothing stands beside it.
+#[test]
+#[cfg(unix)]
+fn a_full_disk_leaves_what_was_there() {
+    let room = room();
+    let room = room.path();
+    succeeds(room, &["small.toml", "--csv", "--gif", "--png", "--every", "5"]);
+    let before = contents(&room.join("out"));
+    for kind in ["--csv", "--gif", "--png"] {
+        // blocks of 512 bytes; without the signal a write fails as on a full disk
+        let output = Command::new("sh")
+            .args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$@\"", "sh"])
+            .arg(program().get_program())
+            .args(["small.toml", "--solver", "lines", kind])
+            .current_dir(room)
+            .output()
+            .unwrap();
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{kind}: {stderr}");
+        assert!(stderr.starts_with("error: out") && stderr.lines().count() == 1, "{kind}: {stderr:?}");
+        assert!(contents(&room.join("out")) == before, "{kind}: something else is there");
+    }
+}
+
+/// Killed in the middle of a run: the complete files of the run before stay complete.
+#[test]
+#[cfg(unix)]
+fn an_interrupted_run_leaves_what_was_there() {
+    let room = room();
+    let room = room.path();
+    succeeds(room, &["small.toml", "--csv"]);
+    let before = contents(&room.join("out"));
+    let long = ["small.toml", "--csv", "--frames", "10000000", "--solver", "lines"];
+    let mut running = program().current_dir(room).args(long).spawn().unwrap();
+    // until it has written something beside the old file
+    let staged = || {
+        fs::read_dir(room.join("out")).unwrap().any(|entry| {
+            let entry = entry.unwrap();
+            entry.file_name().to_string_lossy().starts_with('.') && entry.metadata().unwrap().len() > 100_000
+        })
+    };
+    let start = std::time::Instant::now();
+    while !staged() {
+        assert!(start.elapsed().as_secs() < 60 && running.try_wait().unwrap().is_none(), "it writes nothing");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    running.kill().unwrap();
+    running.wait().unwrap();
+    let mut after = contents(&room.join("out"));
+    after.retain(|name, _| !name.starts_with('.'));
+    assert!(after == before, "the old files changed");
+}
+
+/// The files of a directory.
+fn contents(directory: &Path) -> BTreeMap<String, Vec<u8>> {
+    names(directory).into_iter().map(|name| (name.clone(), fs::read(directory.join(name)).unwrap())).collect()
+}
+
+#[test]
 #[cfg(not(feature = "window"))]
 fn a_window_needs_its_feature() {
     refuses(room().path(), &["small.toml", "--window"], "--window: ");
@@ -167,6 +233,8 @@ fn numbers_that_the_type_cannot_hold() {
         ("q24", "stiffness = 100.0", "compliance = 1e7", "stretch.compliance: too small for q24"),
         ("q24", "density = 0.2", "density = 0.2\nhem = 500", "cloth.hem: too large for q24"),
         ("f64", "width = 1.0\nheight = 1.0\ndensity", "width = 5e-324\nheight = 1.0\nmass", "cloth.width: too small"),
+        ("q24", "[run]", "[rest]\nspeed = 1e-9\n[run]", "rest.speed: too small for q24"),
+        ("q24", "[run]", "[rest]\nacceleration = 1e6\n[run]", "rest.acceleration: too large for q24"),
         ("q24", "substeps = 4", "strain_limit = 100", "solver.strain_limit: too large for q24"),
         ("q24", "kind = \"xpbd\"", "kind = \"verlet\"\niterations = 128", "solver.iterations: too large for q24"),
     ] {
@@ -221,6 +289,7 @@ fn the_report_has_its_keys_in_order() {
         "columns",
         "rows",
         "frames",
+        "frames_at_rest",
         "substeps",
         "iterations",
         "seconds",
@@ -269,6 +338,54 @@ fn the_report_has_its_keys_in_order() {
     assert!(seconds > 0.0 && (steps * seconds / 21.0 - 1.0).abs() < 1e-9);
     assert!((particle_steps / steps / 16.0 - 1.0).abs() < 1e-9);
     assert!(stdout.contains(&format!("{:#010x}", simulation.digest())), "{stdout}");
+}
+
+/// `[rest]` saves work, not truth: the sheet comes to the same end, and goes on when it is disturbed.
+#[test]
+fn a_sheet_at_rest_is_not_computed() {
+    let room = room();
+    let room = room.path();
+    let damped = SMALL.replace("[environment]", "[environment]\ndrag = 5.0");
+    fs::write(room.join("resting.toml"), format!("{damped}[rest]\n")).unwrap();
+    let stdout = succeeds(room, &["resting.toml", "--csv", "--every", "1000", "--frames", "1000"]);
+    let text = fs::read_to_string(room.join("out/report.json")).unwrap();
+    let report: BTreeMap<String, serde_json::Value> = serde_json::from_str(&text).unwrap();
+    let at_rest = report["frames_at_rest"].as_u64().unwrap();
+    assert!(
+        (500..1000).contains(&at_rest) && stdout.contains(&format!("at rest           {at_rest} frames")),
+        "{stdout}"
+    );
+
+    let scene = Description::parse(&damped).unwrap();
+    let mut moving = scene.simulation(ScalarKind::F32).unwrap();
+    (0..1000 - at_rest).for_each(|_| moving.frame());
+    assert_eq!(report["digest"], moving.digest(), "as it was when it came to rest");
+    assert!(!moving.is_at_rest(), "a scene without [rest] never is");
+
+    let scene = Description::parse(&format!("{damped}[rest]\n")).unwrap();
+    let mut resting = scene.simulation(ScalarKind::F32).unwrap();
+    type Disturb = fn(&mut dyn Simulation);
+    let disturbances: [(&str, Disturb); 4] = [
+        ("gravity", |simulation| simulation.set_gravity([0.0, 1.0, -9.81]).unwrap()),
+        ("a pin let go", |simulation| simulation.set_pinned(3, 0, false)),
+        ("another state", |simulation| {
+            let mut state = simulation.state();
+            state.velocities[9][1] = 0.1;
+            simulation.restore(&state);
+        }),
+        ("wind", |simulation| {
+            let wind = Wind { velocity: [0.0, 1.0, 0.0], model: WindModel::Facet };
+            simulation.set_wind(Some(&wind)).unwrap();
+        }),
+    ];
+    for (what, disturb) in disturbances {
+        (0..1000).for_each(|_| resting.frame());
+        assert!(resting.is_at_rest(), "before {what}");
+        let digest = resting.digest();
+        disturb(&mut *resting);
+        resting.frame();
+        assert!(!resting.is_at_rest() && resting.digest() != digest, "{what}");
+    }
 }
 
 #[test]

@@ -14,7 +14,7 @@ use crate::orders::Orders;
 use crate::usual::{USUAL, colour_of, name};
 
 /// Number types that are held against `f64`.
-const TYPES: [ScalarKind; 2] = [ScalarKind::F32, ScalarKind::Q24];
+const TYPES: [ScalarKind; 3] = [ScalarKind::F32, ScalarKind::Q24, ScalarKind::Q13];
 
 /// Distances to the same solver in `f64`, and to the solution.
 #[derive(Clone, Debug)]

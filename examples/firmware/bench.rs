@@ -4,7 +4,8 @@
 use kerchief::force::Force;
 use kerchief::{
     AerodynamicWind, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, Gravity, Lines, Links, Node, Plane, Q13,
-    Q24, Scalar, Scene, Shear, Solver, Sphere, StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
+    Q24, Resting, Scalar, Scene, Shear, Solver, Sphere, Stillness, StrainLimited, Stretch, Tether, Units, Vec3, Verlet,
+    Xpbd, measure,
 };
 
 /// Particles a side.
@@ -54,6 +55,11 @@ fn cloth<S: Scalar>(units: &Units) -> Cloth<S, SIDE, SIDE> {
     cloth.pin(Node::new(SIDE - 1, 0));
     cloth
 }
+
+/// Any motion is more than this.
+const NEVER: Stillness = Stillness { speed: 1e-9, ..Stillness::DEFAULT };
+/// At rest in the first frames.
+const SOON: Stillness = Stillness { speed: 10.0, acceleration: 1e3, time: 1.0 / 60.0 };
 
 /// Shows a bench every scene that it wants; what it doesn't want is not even compiled.
 macro_rules! scenes {
@@ -138,6 +144,8 @@ fn play<S: Scalar, B: Bench>(bench: &mut B) {
         "verlet, stretch": ONCE, gravity(&ONCE), stretch(&ONCE), (), verlet;
         "verlet": ONCE, gravity(&ONCE), (stretch(&ONCE), shear(&ONCE)), (), verlet;
         "lines": FEW, gravity(&FEW), (stretch(&FEW), shear(&FEW)), (), LINES.0;
+        "xpbd, resting": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (), Resting::new(&MANY, NEVER, Xpbd);
+        "xpbd, at rest": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (), Resting::new(&MANY, SOON, Xpbd);
     }
 }
 

@@ -11,7 +11,7 @@ pub(crate) struct Configuration {
     pub(crate) scalar: ScalarKind,
     /// Solver steps per frame.
     pub(crate) substeps: u32,
-    /// Relaxation sweeps (pairs of them for lines, Newton steps of backward Euler) per substep; 1 where there are none.
+    /// Relaxation sweeps (Newton steps of backward Euler) per substep; 1 where there are none.
     pub(crate) sweeps: u32,
     /// The strain for which lines spend further sweeps; without, the scene's.
     pub(crate) tolerance: Option<f64>,
@@ -22,6 +22,7 @@ impl Configuration {
     pub(crate) fn of(self, scene: &Description) -> Description {
         let mut scene = scene.clone();
         (scene.solver.kind, scene.solver.substeps, scene.solver.iterations) = (self.solver, self.substeps, self.sweeps);
+        scene.solver.sweeps = Some(self.sweeps);
         scene.solver.tolerance = self.tolerance.unwrap_or(scene.solver.tolerance);
         scene
     }
@@ -74,11 +75,11 @@ pub(crate) const fn has_sweeps(solver: SolverKind) -> bool {
     matches!(solver, SolverKind::Verlet | SolverKind::BackwardEuler | SolverKind::Lines)
 }
 
-/// How many plain sweeps are about as much work as one of a solver's: its pair of sweeps with further ones for lines, a Newton step with
+/// How many plain sweeps are about as much work as one of a solver's: all families and its further sweeps for lines, a Newton step with
 /// its conjugate gradients for backward Euler.
 const fn weight(solver: SolverKind) -> u32 {
     match solver {
-        SolverKind::Lines => 4,
+        SolverKind::Lines => 2,
         SolverKind::BackwardEuler => 64,
         _ => 1,
     }
@@ -127,7 +128,7 @@ impl Choice {
             _ if !has_sweeps(solver) => &[1],
             _ if !self.sweeps.is_empty() => &self.sweeps,
             SolverKind::Verlet => &[1, 4, 16],
-            SolverKind::BackwardEuler => &[1, 2],
+            SolverKind::BackwardEuler | SolverKind::Lines => &[1, 2],
             _ => &[1],
         }
     }

@@ -34,6 +34,7 @@ pub(crate) enum Marker {
     Disc,
     Ring,
     Triangle,
+    Cross,
 }
 
 /// A number type's mark in every plot.
@@ -42,6 +43,7 @@ pub(crate) const fn marker(scalar: ScalarKind) -> Marker {
         ScalarKind::F32 => Marker::Disc,
         ScalarKind::F64 => Marker::Ring,
         ScalarKind::Q24 => Marker::Triangle,
+        ScalarKind::Q13 => Marker::Cross,
     }
 }
 
@@ -270,6 +272,7 @@ impl Marker {
             Self::Disc => Some(Circle::new(place, 4, colour.filled()).into_dyn()),
             Self::Ring => Some(Circle::new(place, 5, colour.stroke_width(2)).into_dyn()),
             Self::Triangle => Some(TriangleMarker::new(place, 6, colour.filled()).into_dyn()),
+            Self::Cross => Some(Cross::new(place, 5, colour.stroke_width(2)).into_dyn()),
         }
     }
 }

@@ -37,6 +37,8 @@ mod clock;
 mod meter;
 #[path = "../boards/pace.rs"]
 mod pace;
+#[path = "../boards/still.rs"]
+mod still;
 
 use core::convert::Infallible;
 

@@ -5,8 +5,9 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Line, PrimitiveStyle};
 use kerchief::render::pattern::{CELL, Pattern, Place};
 use kerchief::render::{Camera, Finish, Light, Look, Shade, Shaded, View};
-use kerchief::rest::Rest;
 use kerchief::{Cloth, Drag, Gravity, Node, Q13, Scalar, Scene, Shear, Stretch, Units, Vec3, Xpbd};
+
+use crate::still::Rest;
 
 /// Particles a side.
 const SIDE: usize = 16;

@@ -40,6 +40,8 @@ mod clock;
 mod meter;
 #[path = "../boards/pace.rs"]
 mod pace;
+#[path = "../boards/still.rs"]
+mod still;
 
 use core::convert::Infallible;
 

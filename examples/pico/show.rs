@@ -5,10 +5,10 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use kerchief::render::pattern::{CELL, Pattern, Place};
 use kerchief::render::{Camera, Light, Look, Shade, Shaded, View};
-use kerchief::rest::Rest;
 use kerchief::{Cloth, Gravity, Node, Q13, Scene, Shear, Stretch, Units, Xpbd};
 
 use crate::breeze::Breeze;
+use crate::still::Rest;
 
 /// Particles a side.
 const SIDE: usize = 16;

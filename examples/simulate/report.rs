@@ -46,6 +46,7 @@ pub(crate) struct Report {
     columns: usize,
     rows: usize,
     frames: u32,
+    frames_at_rest: u32,
     substeps: u32,
     iterations: u32,
     seconds: f64,
@@ -64,6 +65,10 @@ pub(crate) struct Report {
 #[derive(Debug)]
 pub(crate) struct Watch {
     in_motion: Families,
+    /// Frames that were not computed.
+    at_rest: u32,
+    /// Whether the last frame ended at rest.
+    rests: bool,
     energy_start: f64,
     solving: Duration,
 }
@@ -71,8 +76,13 @@ pub(crate) struct Watch {
 impl Watch {
     /// Begins before the first frame.
     pub(crate) fn start(simulation: &dyn Simulation) -> Self {
-        let mut watch =
-            Self { in_motion: Families::default(), energy_start: simulation.energy(), solving: Duration::ZERO };
+        let mut watch = Self {
+            in_motion: Families::default(),
+            at_rest: 0,
+            rests: false,
+            energy_start: simulation.energy(),
+            solving: Duration::ZERO,
+        };
         watch.look(simulation);
         watch
     }
@@ -80,6 +90,9 @@ impl Watch {
     /// Takes note of a frame that took this long.
     pub(crate) fn frame(&mut self, simulation: &dyn Simulation, took: Duration) {
         self.solving += took;
+        let rests = simulation.is_at_rest();
+        self.at_rest += u32::from(rests && self.rests);
+        self.rests = rests;
         self.look(simulation);
     }
 
@@ -100,6 +113,7 @@ impl Watch {
             columns: scene.sheet.columns,
             rows: scene.sheet.rows,
             frames: scene.frames,
+            frames_at_rest: self.at_rest,
             substeps: scene.solver.substeps,
             iterations: scene.solver.iterations,
             seconds,
@@ -121,6 +135,9 @@ impl fmt::Display for Report {
         let Self { scene, scalar, solver, columns, rows, frames, substeps, iterations, .. } = self;
         writeln!(f, "scene             {scene}: {columns} x {rows} particles, {frames} frames")?;
         writeln!(f, "solver            {solver} in {scalar}, {substeps} substeps, {iterations} iterations")?;
+        if self.frames_at_rest > 0 {
+            writeln!(f, "at rest           {} frames", self.frames_at_rest)?;
+        }
         writeln!(f, "time              {:.3} s, {:.0} steps/s", self.seconds, self.steps_per_second)?;
         writeln!(f, "                  {:.3e} particle steps/s", self.particle_steps_per_second)?;
         writeln!(f, "strain in motion  {}", self.max_strain_motion)?;

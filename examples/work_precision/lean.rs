@@ -1,7 +1,7 @@
 //! Scenes in motion, put together from no more parts than they name: what a program of one's own would run.
 
 use kerchief::host::{Bare, Basics, Counted, Description, ScalarKind, SceneError, Simulation, WindModel};
-use kerchief::{Q24, Scalar};
+use kerchief::{Q13, Q24, Scalar};
 
 type Moving = Result<Box<dyn Simulation>, SceneError>;
 
@@ -11,6 +11,7 @@ pub(crate) fn moving(scene: &Description, scalar: ScalarKind) -> Moving {
         ScalarKind::F32 => on_grid::<f32>(scene),
         ScalarKind::F64 => on_grid::<f64>(scene),
         ScalarKind::Q24 => on_grid::<Q24>(scene),
+        ScalarKind::Q13 => on_grid::<Q13>(scene),
     };
     lean.unwrap_or_else(|| scene.simulation(scalar))
 }

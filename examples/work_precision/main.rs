@@ -47,7 +47,7 @@ struct Args {
     /// Strains of a row for which the line solver sweeps again
     #[arg(long = "tolerance", value_name = "X,…", value_delimiter = ',', default_values_t = [0.1, 0.02, 0.005, 0.001], value_parser = positive)]
     tolerances: Vec<f64>,
-    /// The most substeps × sweeps in a frame, a sweep of lines counting as 4 and a Newton step as 64; what has more is left out. Without, 256 in runs of 20 frames and
+    /// The most substeps × sweeps in a frame, a sweep of lines counting as 2 and a Newton step as 64; what has more is left out. Without, 256 in runs of 20 frames and
     /// accordingly fewer in longer ones
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     work: Option<u32>,

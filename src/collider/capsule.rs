@@ -1,6 +1,7 @@
 //! A rod with round ends.
 
 use crate::collider::{Collider, respond};
+use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Length, Point};
@@ -52,6 +53,13 @@ impl<S: Scalar> Collider<S> for Capsule<S> {
         let up = Vec3::new(S::ZERO, S::ZERO, S::ONE);
         let normal = if distance == S::ZERO { up } else { d.map(|component| component.divide(distance)) };
         Some(respond(normal, self.reach - distance, moved, self.friction))
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.vector(self.start);
+        print.vector(self.axis);
+        print.numbers([self.length, self.reach, self.friction]);
     }
 
     #[inline]

@@ -1,6 +1,7 @@
 //! A half-space: ground, wall, slope.
 
 use crate::collider::{Collider, respond};
+use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Length, Point};
@@ -38,6 +39,13 @@ impl<S: Scalar> Collider<S> for Plane<S> {
     fn contact(&self, _moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
         let depth = self.margin - (position - self.point).dot(self.normal);
         (depth > S::ZERO).then(|| respond(self.normal, depth, moved, self.friction))
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.vector(self.point);
+        print.vector(self.normal);
+        print.numbers([self.margin, self.friction]);
     }
 
     #[inline]

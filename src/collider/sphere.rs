@@ -1,6 +1,7 @@
 //! A ball.
 
 use crate::collider::{Collider, gap, respond};
+use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Length, Point, Velocity};
@@ -59,6 +60,13 @@ impl<S: Scalar> Collider<S> for Sphere<S> {
     #[inline]
     fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
         gap(low, high, self.centre + self.velocity * moment.ticks()).squared() < self.reach.product(self.reach)
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.vector(self.centre);
+        print.vector(self.velocity);
+        print.numbers([self.reach, self.friction]);
     }
 
     #[inline]

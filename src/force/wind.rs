@@ -2,6 +2,7 @@
 //!
 //! Each cell with the particles p = (c, r), q = (c+1, r), s = (c, r+1), t = (c+1, r+1) has the triangles (q, p, s) and (t, q, s).
 
+use crate::fingerprint::Fingerprint;
 use crate::force::{Force, Row};
 use crate::scalar::Scalar;
 use crate::units::Airflow;
@@ -33,10 +34,22 @@ impl<S: Scalar> Force<S> for FacetWind<S> {
             n * over(n.dot(self.wind), n.length())
         });
     }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.vector(self.wind);
+    }
 }
 
+/// The part of its velocity through the air, as a power of ½, that a corner of mass 1 loses at most in a substep to a triangle with |n| = 1.
+///
+/// Six triangles meet in a particle, three in one on an edge, of up to twice the inverse mass, two in one in a corner, of up to four times. All of them together,
+/// with twice their area in a stretched sheet, bring it to rest in the air and don't overshoot. Without this bound the pressure, which grows with the square
+/// of the velocity and is taken at the start of a substep, would in a long one throw a light sheet back faster than it came, and faster still in the next.
+const MOST: u32 = 4;
+
 /// Wind as the drag of a plate, relative to the cloth's own velocity: `F = ½·ρ·c·A·(n̂·u)·|n̂·u|·n̂` for the triangle of area A with
-/// `u = wind − mean corner velocity`, a third of it on each corner.
+/// `u = wind − mean corner velocity`, a third of it on each corner; in a step too long for that, no more than brings the sheet to the wind's velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AerodynamicWind<S> {
     /// The wind's velocity, cells per tick.
@@ -59,14 +72,20 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
 
     #[inline]
     fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
-        let third = S::ONE.divide(S::from_int(3));
+        let (third, most) = (S::ONE.divide(S::from_int(3)), S::ONE.halve(MOST));
         triangles(rows, gains, |corners, [a, b, c]| {
             let n = normal(corners);
             // a third of each velocity, so that their sum stays in range
             let u = self.wind - (a * third + b * third + c * third);
             let across = over(n.dot(u), n.length());
-            n * (self.pressure * across * across.abs())
+            n * ((self.pressure * across.abs()).min(most) * across)
         });
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.vector(self.wind);
+        print.number(self.pressure);
     }
 }
 

@@ -9,6 +9,7 @@ use super::fit::Fit;
 use super::parts::{Obstacles, Parts, Springs};
 use crate::cloth::Cloth;
 use crate::collider::{Capsule, Collider, Plane, Sphere};
+use crate::fingerprint::Fingerprint;
 use crate::force::{Drag, Gravity};
 use crate::grid::Node;
 use crate::link::{Bend, Links, Shear, StrainLimited, Stretch, Tether, Visitor};
@@ -46,6 +47,12 @@ impl<S: Scalar + Send, P: Parts<S>> Links<S> for SceneLinks<S, P> {
         self.tether.confine(cloth, moment);
         self.limit.confine(cloth, moment);
     }
+
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        self.springs.fingerprint(print);
+        self.limit.fingerprint(print);
+        self.tether.fingerprint(print);
+    }
 }
 
 /// Something in the sheet's way.
@@ -76,6 +83,14 @@ impl<S: Scalar> Collider<S> for Obstacle<S> {
     fn advance(&mut self, end: Moment) {
         if let Self::Sphere(sphere) = self {
             sphere.advance(end);
+        }
+    }
+
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        match self {
+            Self::Sphere(sphere) => sphere.fingerprint(print),
+            Self::Plane(plane) => plane.fingerprint(print),
+            Self::Capsule(capsule) => capsule.fingerprint(print),
         }
     }
 }
@@ -115,6 +130,10 @@ impl<S: Scalar> Collider<S> for Solids<S> {
 
     fn advance(&mut self, end: Moment) {
         self.0.as_mut_slice().advance(end);
+    }
+
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        self.0.as_slice().fingerprint(print);
     }
 }
 

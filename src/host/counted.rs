@@ -258,6 +258,10 @@ impl Scalar for Counted {
         self.0.bits(hash);
     }
     #[inline]
+    fn word(self) -> u32 {
+        self.0.word()
+    }
+    #[inline]
     fn is_finite(self) -> bool {
         Scalar::is_finite(self.0)
     }

@@ -7,6 +7,7 @@ use serde::Deserialize;
 
 use super::error::SceneError;
 use super::file::File;
+use crate::rest::Stillness;
 
 /// A scene as its file means it, before a number type and a grid are chosen.
 #[derive(Clone, Debug)]
@@ -37,6 +38,8 @@ pub struct Description {
     pub capsules: Vec<Capsule>,
     /// How the sheet is moved.
     pub solver: Solver,
+    /// How still the sheet has to be for nothing to be computed.
+    pub rest: Option<Stillness>,
     /// Number of frames of [`Solver::step`] each.
     pub frames: u32,
     /// How pictures show it.
@@ -248,6 +251,8 @@ pub struct Solver {
     pub substeps: u32,
     /// Per substep, relaxation sweeps of position Verlet, pairs of sweeps of lines and Newton steps of backward Euler; the others have none.
     pub iterations: u32,
+    /// Sweeps of lines per substep, in place of `iterations`; the others have none.
+    pub sweeps: Option<u32>,
     /// The strain of a row for which lines spend further sweeps; the others have none.
     pub tolerance: f64,
     /// No link longer than `1 + strain_limit` times its rest length after a step.

@@ -34,6 +34,7 @@ pub(super) struct File {
     pub(super) capsule: Vec<Table<Capsule>>,
     #[serde(default)]
     pub(super) solver: Table<Solver>,
+    pub(super) rest: Option<Table<Rest>>,
     #[serde(default)]
     pub(super) run: Table<Run>,
     #[serde(default)]
@@ -205,8 +206,17 @@ pub(super) struct Solver {
     pub(super) step: Option<Positive>,
     pub(super) substeps: Option<Count>,
     pub(super) iterations: Option<Count>,
+    pub(super) sweeps: Option<Count>,
     pub(super) tolerance: Option<Positive>,
     pub(super) strain_limit: Option<Positive>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Rest {
+    pub(super) speed: Option<Positive>,
+    pub(super) acceleration: Option<Positive>,
+    pub(super) time: Option<Positive>,
 }
 
 #[derive(Debug, Default, Deserialize)]

@@ -46,8 +46,10 @@
 //! | | `step` | a frame, s > 0 \[1/60\] |
 //! | | `substeps` | solver steps in a frame \[8\] |
 //! | | `iterations` | sweeps of Verlet, pairs of sweeps of lines, Newton steps of backward Euler in a substep \[1\] |
+//! | | `sweeps` | sweeps of lines in a substep \[2 · `iterations`\] |
 //! | | `tolerance` | strain of a row for which lines spend further sweeps, > 0 \[0.02\] |
 //! | | `strain_limit` | no link longer than 1 + limit times its rest length, > 0 |
+//! | `[rest]` | `speed`, `acceleration`, `time` | a sheet that is as still as this is not computed: see [`Stillness`](crate::rest::Stillness); m/s, m/s², s > 0 \[0.001, 0.001, 0.5\] |
 //! | `[run]` | `frames` | \[100\] |
 //! | `[picture]` | `azimuth`, `elevation` | from where it is looked at, degrees \[30, 20\] |
 //! | | `low`, `high` | corners of the box that fills the picture, m \[all that is seen\] |

@@ -10,6 +10,7 @@ use super::error::SceneError;
 use super::file::{self, File, Pins, Table};
 use super::quantity::{Count, NonNegative, Number, Positive};
 use super::shape::SHAPES;
+use crate::rest::Stillness;
 use crate::solver::Lines;
 
 /// Frames of a file that does not say.
@@ -50,9 +51,11 @@ impl File {
                 step,
                 substeps: solver.substeps.map_or(SUBSTEPS, Count::get),
                 iterations: solver.iterations.map_or(1, Count::get),
+                sweeps: solver.sweeps.map(Count::get),
                 tolerance: solver.tolerance.map_or(Lines::new().tolerance, Positive::get),
                 strain_limit: solver.strain_limit.map(Positive::get),
             },
+            rest: self.rest.as_ref().map(rest),
             frames: self.run.0.frames.map_or(FRAMES, Count::get),
             picture: picture(&self.picture.0)?,
             name: self.name,
@@ -237,6 +240,15 @@ fn capsule((index, Table(capsule)): (usize, &Table<file::Capsule>)) -> Result<Ca
         radius: capsule.radius.get(),
         surface: surface(capsule.margin, capsule.friction),
     })
+}
+
+fn rest(Table(rest): &Table<file::Rest>) -> Stillness {
+    let Stillness { speed, acceleration, time } = Stillness::DEFAULT;
+    Stillness {
+        speed: rest.speed.map_or(speed, Positive::get),
+        acceleration: rest.acceleration.map_or(acceleration, Positive::get),
+        time: rest.time.map_or(time, Positive::get),
+    }
 }
 
 fn picture(picture: &file::Picture) -> Result<Picture, SceneError> {

@@ -8,13 +8,14 @@ use super::description::{Description, Wind};
 use super::error::SceneError;
 use super::parts::{Everything, Obstacles, Parts};
 use super::shape::for_each_shape;
-use super::solver::{AnySolver, Memory};
+use super::solver::SceneSolver;
 use crate::cloth::Cloth;
 use crate::grid::{Grid, Node};
 use crate::link::Links;
 use crate::measure::{self, digest, elastic_energy, gravitational_energy, is_finite, kinetic_energy};
-use crate::scalar::{Q24, Scalar};
+use crate::scalar::{Q13, Q24, Scalar};
 use crate::scene::Scene;
+use crate::solver::Solver;
 use crate::units::Units;
 use crate::vec3::Vec3;
 
@@ -27,11 +28,13 @@ pub enum ScalarKind {
     F64,
     /// Fixed point with 24 fraction bits.
     Q24,
+    /// Fixed point with 24 fraction bits whose links are measured to 13.
+    Q13,
 }
 
 impl ScalarKind {
     /// Every number type.
-    pub const ALL: [Self; 3] = [Self::F32, Self::F64, Self::Q24];
+    pub const ALL: [Self; 4] = [Self::F32, Self::F64, Self::Q24, Self::Q13];
 
     /// Its name.
     pub const fn name(self) -> &'static str {
@@ -39,6 +42,7 @@ impl ScalarKind {
             Self::F32 => f32::NAME,
             Self::F64 => f64::NAME,
             Self::Q24 => Q24::NAME,
+            Self::Q13 => Q13::NAME,
         }
     }
 
@@ -104,6 +108,8 @@ pub trait Simulation: Send {
     fn digest(&self) -> u32;
     /// Whether every number of the state is finite.
     fn is_finite(&self) -> bool;
+    /// Whether the sheet is at rest, so that the next frame is not computed if nothing changes: a scene's `[rest]`.
+    fn is_at_rest(&self) -> bool;
     /// All that moves.
     fn state(&self) -> State;
     /// Goes on from `state`, which belongs to a sheet of the same grid.
@@ -135,6 +141,7 @@ impl Description {
             ScalarKind::F32 => shaped::<f32>(self),
             ScalarKind::F64 => shaped::<f64>(self),
             ScalarKind::Q24 => shaped::<Q24>(self),
+            ScalarKind::Q13 => shaped::<Q13>(self),
         }
     }
 
@@ -179,11 +186,11 @@ fn shaped<S: Scalar + Send>(description: &Description) -> Result<Box<dyn Simulat
 struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     units: Units,
     gravity: [f64; 3],
-    scene: Scene<Forces<S, P>, SceneLinks<S, P>, P::Obstacles, AnySolver>,
+    scene: Scene<Forces<S, P>, SceneLinks<S, P>, P::Obstacles, SceneSolver>,
     cloth: Box<Cloth<S, W, H>>,
     /// Inverse masses of the sheet without pins.
     unpinned: Box<Grid<S, W, H>>,
-    memory: Memory<S, W, H>,
+    memory: <SceneSolver as Solver<S>>::Memory<W, H>,
 }
 
 impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S, W, H> {
@@ -196,7 +203,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S
         }
         let forces = description.forces::<S, P>(&units)?;
         let (links, obstacles) = (description.links::<S, P>(&units)?, P::obstacles(description, &units)?);
-        let scene = Scene::new(&units, forces, links, obstacles, AnySolver::new::<S>(description)?);
+        let scene = Scene::new(&units, forces, links, obstacles, SceneSolver::new::<S>(description, &units)?);
         let memory = scene.memory();
         Ok(Box::new(Self { units, gravity: description.gravity, scene, cloth, unpinned, memory }))
     }
@@ -237,6 +244,10 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
 
     fn is_finite(&self) -> bool {
         is_finite(&self.cloth)
+    }
+
+    fn is_at_rest(&self) -> bool {
+        self.memory.is_at_rest()
     }
 
     fn state(&self) -> State {

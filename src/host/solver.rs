@@ -10,8 +10,10 @@ use crate::collider::Collider;
 use crate::force::Force;
 use crate::link::Links;
 use crate::moment::Moment;
+use crate::rest::{self, Threshold};
 use crate::scalar::Scalar;
 use crate::solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Physics, Solver, Verlet, Xpbd};
+use crate::units::Units;
 
 /// Directions of links in a scene with every family.
 const DIRECTIONS: usize = 6;
@@ -51,8 +53,10 @@ impl AnySolver {
             SolverKind::BackwardEuler => Self::BackwardEuler(BackwardEuler { newton_steps: sweeps }),
             SolverKind::Leapfrog => Self::Leapfrog(Leapfrog),
             SolverKind::Xpbd => Self::Xpbd(Xpbd),
-            // there and back
-            SolverKind::Lines => Self::Lines(Lines::with_sweeps(2 * sweeps).within(scene.solver.tolerance)),
+            SolverKind::Lines => {
+                let sweeps = scene.solver.sweeps.unwrap_or(2 * sweeps);
+                Self::Lines(Lines::with_sweeps(sweeps).within(scene.solver.tolerance))
+            }
         })
     }
 }
@@ -90,5 +94,54 @@ impl<S: Scalar> Solver<S> for AnySolver {
             (Self::Lines(solver), Memory::Lines(memory)) => solver.substep(physics, cloth, memory, moment),
             _ => unreachable!("a solver meets the memory it made"),
         }
+    }
+}
+
+/// One of the core's solvers, which may rest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SceneSolver {
+    solver: AnySolver,
+    rest: Option<Threshold>,
+}
+
+impl SceneSolver {
+    pub(super) fn new<S: Scalar>(scene: &Description, units: &Units) -> Result<Self, SceneError> {
+        let rest = scene.rest.map(|stillness| Threshold::new(units, stillness));
+        if let Some(Threshold { speed, change, .. }) = rest {
+            Fit::<S>::number("rest.speed", speed)?;
+            Fit::<S>::number("rest.acceleration", change)?;
+        }
+        Ok(Self { solver: AnySolver::new::<S>(scene)?, rest })
+    }
+}
+
+impl<S: Scalar> Solver<S> for SceneSolver {
+    type Memory<const W: usize, const H: usize> = rest::Memory<Memory<S, W, H>, S>;
+
+    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+        rest::Memory::new(self.solver.memory())
+    }
+
+    fn frame<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        memory: &mut Self::Memory<W, H>,
+        end: Moment,
+    ) {
+        match &self.rest {
+            Some(threshold) => threshold.frame(&self.solver, physics, cloth, memory, end),
+            None => self.solver.frame(physics, cloth, memory.solver(), end),
+        }
+    }
+
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        cloth: &mut Cloth<S, W, H>,
+        memory: &mut Self::Memory<W, H>,
+        moment: Moment,
+    ) {
+        self.solver.substep(physics, cloth, memory.solver(), moment);
     }
 }

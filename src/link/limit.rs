@@ -2,6 +2,7 @@
 //! 1995): no link longer than `1 + limit` times its rest length after a step, at pins too.
 
 use crate::cloth::Cloth;
+use crate::fingerprint::Fingerprint;
 use crate::link::{Family, Links, Visitor, each};
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -36,6 +37,12 @@ impl<S: Scalar, L: Links<S>> Links<S> for StrainLimited<L, S> {
     #[inline]
     fn dampers<V: Visitor<S>>(&self, visitor: &mut V) {
         self.links.dampers(visitor);
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        self.links.fingerprint(print);
+        print.number(self.allowed);
     }
 
     fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {

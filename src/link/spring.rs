@@ -1,5 +1,6 @@
 //! Springs between neighbours: Hooke's law `f = −k·(|d| − L)·d/|d|`, rest length L = initial distance.
 
+use crate::fingerprint::Fingerprint;
 use crate::link::{Family, Links, Quotient, Visitor};
 use crate::scalar::{Rest, Scalar};
 use crate::units::{Strength, Units};
@@ -29,6 +30,11 @@ macro_rules! springs {
                 $(if let Some(&rest) = rest.next() {
                     visitor.family::<$across, $down>(&Family { strength: self.strength, rest });
                 })+
+            }
+
+            fn fingerprint(&self, print: &mut Fingerprint) {
+                self.strength.fingerprint(print);
+                self.rest.iter().for_each(|rest| print.number(rest.length));
             }
         }
     };
@@ -72,6 +78,12 @@ impl<S: Scalar, L: Links<S>> Links<S> for Damped<L, S> {
     #[inline]
     fn dampers<V: Visitor<S>>(&self, visitor: &mut V) {
         self.links.springs(&mut WithStrength { visitor, strength: self.damping });
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        self.links.fingerprint(print);
+        self.damping.fingerprint(print);
     }
 }
 

@@ -6,6 +6,7 @@
 use heapless::Vec;
 
 use crate::cloth::Cloth;
+use crate::fingerprint::Fingerprint;
 use crate::grid::{Grid, Node};
 use crate::link::Links;
 use crate::moment::Moment;
@@ -31,6 +32,11 @@ impl<S: Scalar, const N: usize> Tether<S, N> {
 }
 
 impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.numbers(self.sides);
+        self.anchors.iter().for_each(|anchor| print.word((anchor.row << 16 | anchor.column) as u32));
+    }
+
     fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
         for &anchor in &self.anchors {
             if anchor.column >= W || anchor.row >= H {

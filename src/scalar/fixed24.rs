@@ -311,6 +311,11 @@ impl<K: Kernel> Scalar for Fixed24<K> {
     }
 
     #[inline]
+    fn word(self) -> u32 {
+        self.to_bits() as u32
+    }
+
+    #[inline]
     fn is_finite(self) -> bool {
         true
     }

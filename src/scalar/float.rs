@@ -97,6 +97,11 @@ macro_rules! float {
                 self.to_bits().to_le_bytes().into_iter().for_each(hash);
             }
             #[inline]
+            fn word(self) -> u32 {
+                let bits = u64::from(self.to_bits());
+                (bits ^ bits >> 32) as u32
+            }
+            #[inline]
             fn is_finite(self) -> bool {
                 <$float>::is_finite(self)
             }

@@ -8,7 +8,7 @@
 //! every substep. In the first substep, whose history is missing, links follow backward Euler, which once costs no order, and the other forces their
 //! acceleration at its start, so that free fall is exact.
 //!
-//! **In space** a sweep relaxes the other families, then solves all rows, then all columns ([`chain`]), and moves particles out of colliders. Rows and columns
+//! **In space** a sweep relaxes the other families, then solves all rows, then all columns ([`chain`]); after each, particles are moved out of colliders. Rows and columns
 //! pull each other out of shape, so sweeps go on until a row is met whose links are within the tolerance: where the sheet swings two are enough, where it
 //! snaps taut more are spent. The multipliers of rows and columns start from nothing: on a stiff sheet a part of the last ones does not die away, and shakes it.
 //! Those of other families start from a part of the last ones where they are soft, which is worth a sweep.
@@ -26,7 +26,7 @@ use crate::grid::Grid;
 use crate::link::Links;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver};
+use crate::solver::{Physics, Solver, confine};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
@@ -146,19 +146,17 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             relax.forget();
         }
         let tolerance = S::from_f64(self.tolerance);
-        let mut met = S::ZERO;
-        for sweep in 0..self.most_sweeps {
-            met = relax.sweep(physics.links, sweep == 0);
-            // within the sweeps, so that links answer to what a collider does to them
+        let mut met = relax.sweep(physics.links, true);
+        let mut sweeps = 1;
+        while sweeps < self.most_sweeps && (sweeps < self.sweeps || met > tolerance) {
+            // between the sweeps, so that links answer to what a collider does to them
             resolve(physics.colliders, relax.cloth, moment);
-            if met <= tolerance && sweep + 1 >= self.sweeps {
-                break;
-            }
+            met = relax.sweep(physics.links, false);
+            sweeps += 1;
         }
         let rough = met > S::from_f64(ROUGH);
         damp(cloth, &memory.earlier, Act::Second);
-        physics.links.confine(cloth, moment);
-        resolve(physics.colliders, cloth, moment);
+        confine(physics, cloth, moment);
         memory.history = match (rough, first_order) {
             (true, _) => History::Rough,
             (false, true) => History::Velocity,

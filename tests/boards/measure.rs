@@ -27,6 +27,7 @@ fn figures_are_those_that_are_published() {
     assert!(differences.is_empty(), "other figures than the published ones ({help}):\n{}", differences.join("\n"));
     report::check(&committed);
     nothing_is_free(&found);
+    rest_is_cheap(&found);
 }
 
 /// What a scene doesn't name costs nothing: `()` in every place is the scene without these places.
@@ -37,6 +38,17 @@ fn nothing_is_free(figures: &[Figure]) {
         assert_eq!((bare.flash, bare.memory), (unnamed.flash, unnamed.memory), "in {}", bare.number);
         for (bare, unnamed) in bare.instructions().into_iter().zip(unnamed.instructions()) {
             assert!(bare.abs_diff(unnamed) <= TICK, "{bare} {unnamed}");
+        }
+    }
+}
+
+/// A sheet at rest costs a hundredth of one in motion.
+fn rest_is_cheap(figures: &[Figure]) {
+    for moving in figures.iter().filter(|figure| figure.scene == "xpbd") {
+        let rest = figures.iter().find(|figure| figure.number == moving.number && figure.scene == "xpbd, at rest");
+        let rest = rest.expect("both are measured");
+        for (moving_count, rest) in moving.instructions().into_iter().zip(rest.instructions()) {
+            assert!(100 * rest <= moving_count, "{rest} of {moving_count} in {}", moving.number);
         }
     }
 }

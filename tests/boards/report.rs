@@ -36,14 +36,15 @@ const KERNELS: [(&str, &str, Option<&str>, u64); 13] = [
 ];
 
 /// A frame: its scene and what it consists of.
-const FRAMES: [(&str, &str); 3] = [
+const FRAMES: [(&str, &str); 4] = [
     ("xpbd", "XPBD, 8 substeps of stretch and shear"),
+    ("xpbd, at rest", "the same, at rest (`Resting`)"),
     ("verlet", "position Verlet, 8 sweeps of stretch and shear"),
     ("lines", "line solver, stretch and shear, strain under 1 %"),
 ];
 
 /// What a scene may name, and the scene that has it.
-const PARTS: [(&str, &str, &str); 13] = [
+const PARTS: [(&str, &str, &str); 14] = [
     ("nothing: `()` in every place", "unnamed", "bare"),
     ("stretch", "stretch", "bare"),
     ("shear", "shear", "bare"),
@@ -57,6 +58,7 @@ const PARTS: [(&str, &str, &str); 13] = [
     ("sphere", "sphere", "bare"),
     ("plane", "plane", "bare"),
     ("capsule", "capsule", "bare"),
+    ("rest, in motion", "xpbd, resting", "xpbd"),
 ];
 
 pub(crate) fn write(figures: &[Figure]) {
@@ -131,10 +133,10 @@ fn page(figures: &[Figure]) -> String {
         strains.iter().map(|(number, strain)| format!("{:.2} % in {number}", 100.0 * strain)).collect();
     let _ = write!(
         text,
-        "\nThe line solver has {} to a frame of a sixtieth of a second and sweeps at least {} times, until no row is strained by more than \
+        "\nThe line solver has {} to a frame of a sixtieth of a second and sweeps at least {}, until no row is strained by more than \
          {} %: this is the mean of the first second, in which the largest strain of a stretch link at the end of a frame is {}.\n",
         if LINES.1 == 1 { "one substep".to_owned() } else { format!("{} substeps", LINES.1) },
-        LINES.0.sweeps,
+        if LINES.0.sweeps == 1 { "once".to_owned() } else { format!("{} times", LINES.0.sweeps) },
         100.0 * LINES.0.tolerance,
         strains.join(", ")
     );
@@ -160,8 +162,9 @@ fn page(figures: &[Figure]) -> String {
             text += &row(&[name, number], &[cloth, memory, figure.flash.to_string()]);
         }
     }
-    text += "\n## What a step calls\n\nProducts of 64 bits and divisions that are no instructions of the Cortex-M0, and panics, as far as a step in fixed \
-             point can reach them in the linked program. It links no routine for floats and no allocator at all.\n\n";
+    text += "\n## What a step calls\n\nNo step in fixed point, as far as it can be followed through the linked program, reaches a division or a panic; the \
+             program links no routine for floats and no allocator. The Cortex-M0 has no 64-bit product: these steps call a routine for it, in `q13` for \
+             links far from their rest length, distances and quotients alone.\n\n";
     text += "| scene | number | calls |\n|---|---|---|\n";
     for figure in figures.0.iter().filter(|figure| !figure.number.starts_with('f')) {
         let calls: Vec<_> = figure.calls.split_whitespace().map(|name| format!("`{name}`")).collect();
@@ -181,7 +184,7 @@ fn readme(figures: &[Figure]) -> String {
     for number in figures.numbers() {
         table += &row(&["instructions of a link (XPBD)", number], &figures.kernel(number, KERNELS[0]));
     }
-    for (scene, name) in [FRAMES[0], FRAMES[2]] {
+    for (scene, name) in [FRAMES[0], FRAMES[1], FRAMES[3]] {
         for number in figures.numbers() {
             table += &row(&[&format!("thousands for a frame: {name}"), number], &thousands(figures.get(number, scene)));
         }

@@ -5,7 +5,8 @@ use crate::image::Image;
 /// Number types that are floats: a chip without a unit for them calls routines.
 const FLOATS: [&str; 2] = ["f32", "f64"];
 
-/// Checks a program that does nothing but move a sheet, and returns what its step calls that a fast step would not, joined.
+/// Checks a program that does nothing but move a sheet: it has no allocator and, in fixed point, no float; no step divides or panics in fixed point. Returns
+/// the routines for 64-bit products that its step calls, joined.
 pub(crate) fn check(image: &Image, number: &str, scene: &str) -> String {
     let allocator = image.names().find(|name| name.contains("alloc::"));
     assert_eq!(allocator, None, "{scene} in {number}: something allocates");
@@ -14,13 +15,12 @@ pub(crate) fn check(image: &Image, number: &str, scene: &str) -> String {
     }
     let float = image.names().find(|name| is_float(name));
     assert_eq!(float, None, "{scene} in {number}: a fixed-point firmware has no use for floats");
-    let mut calls = image.reached("footprint::frame");
-    calls.retain(|name, _| is_slow(name) || is_panic(name));
-    for way in calls.values() {
-        // shown where the test fails
-        println!("{scene} in {number}: {way}");
+    let calls = image.reached("footprint::frame");
+    for (name, way) in &calls {
+        assert!(!is_panic(name), "{scene} in {number}: a step that cannot fail calls {name}: {way}");
+        assert!(!is_division(name), "{scene} in {number}: divisions are products with reciprocals: {way}");
     }
-    calls.into_keys().collect::<Vec<_>>().join(" ")
+    calls.into_keys().filter(|name| is_product(name)).collect::<Vec<_>>().join(" ")
 }
 
 /// Run-time ABI for the Arm Architecture, 4.1: the floating-point helpers; and the names of their bodies.
@@ -31,10 +31,14 @@ fn is_float(name: &str) -> bool {
         || name.starts_with("compiler_builtins::float")
 }
 
-/// Products of 64 bits and divisions, as calls (Run-time ABI, 4.2 and 4.3).
-fn is_slow(name: &str) -> bool {
-    name.starts_with("__aeabi_") && (name.contains("div") || name.contains("mul"))
-        || ["__divmoddi4", "__udivmoddi4", "__divti3", "__udivti3", "__multi3"].contains(&name)
+/// Divisions, as calls (Run-time ABI, 4.2 and 4.3).
+fn is_division(name: &str) -> bool {
+    name.starts_with("__aeabi_") && name.contains("div") || name.contains("div_rem") || name.contains("divmod")
+}
+
+/// Products of 64 bits, as calls (Run-time ABI, 4.2).
+fn is_product(name: &str) -> bool {
+    ["__aeabi_lmul", "__multi3"].contains(&name)
 }
 
 fn is_panic(name: &str) -> bool {

@@ -1,4 +1,4 @@
-//! expected `&mut Cloth<f32, _, _>`, found `&mut Cloth<Q24, 4, 4>`
+//! expected `&mut Cloth<f32, _, _>`, found `&mut Cloth<Fixed24<Exact>, 4, 4>`
 
 use kerchief::{Cloth, Gravity, Q24, Scene, Units, Xpbd};
 

@@ -3,8 +3,8 @@
 use kerchief::link::Visitor;
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, ForwardEuler, Gravity,
-    Leapfrog, Lines, Links, Moment, Node, Plane, Q24, Scalar, Scene, Shear, Solver, Sphere, StrainLimited, Stretch,
-    Tether, Units, Vec3, Verlet, Xpbd, measure,
+    Leapfrog, Lines, Links, Moment, Node, Plane, Q13, Q24, Scalar, Scene, Shear, Solver, Sphere, StrainLimited,
+    Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
 };
 
 use super::setup::{self, Mass, SIDE, Setup, Surface, Wind};

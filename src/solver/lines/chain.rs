@@ -244,7 +244,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut below = Vec3::<[S; N]>::row(Vec3::ZERO);
         for row in (0..H).rev() {
             let w = &cloth.inverse_mass.0[row];
-            let link_above = if row > 0 { row - 1 } else { H - 1 };
+            // the least of both says to the compiler what it is
+            let link_above = (if row > 0 { row - 1 } else { H - 1 }).min(H - 1);
             let (x, v) = (&mut cloth.position.0[row], &mut cloth.velocity.0[row]);
             let mut pull = below;
             for lane in 0..N {

@@ -1,0 +1,142 @@
+//! One run: a sheet that hangs from two corners, let go from a state that no solver likes.
+
+use kerchief::host::{Description, ScalarKind, SolverKind, Wind, WindModel};
+
+const GRAVITY: f64 = 9.81;
+const DENSITY: f64 = 0.2;
+const SIZE: f64 = 1.0;
+/// How far a sheet may go, sizes.
+const FURTHEST: f64 = 10.0;
+
+/// A square sheet of 1 m and 0.2 kg/m².
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Experiment {
+    /// Particles a side.
+    pub(crate) side: usize,
+    /// Of stretch springs, N/m; shear springs have a tenth, bend springs a hundredth.
+    pub(crate) stiffness: f64,
+    /// Mass of a border particle over that of another.
+    pub(crate) hem: f64,
+    /// Of aerodynamic wind across the sheet, m/s.
+    pub(crate) wind: f64,
+    /// Of the whole sheet, 1/s.
+    pub(crate) drag: f64,
+    /// A frame, s.
+    pub(crate) frame: f64,
+    pub(crate) substeps: u32,
+}
+
+pub(crate) const USUAL: Experiment =
+    Experiment { side: 8, stiffness: 1e3, hem: 1.0, wind: 0.0, drag: 0.1, frame: 1.0 / 60.0, substeps: 1 };
+
+/// What came of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Outcome {
+    /// The number type does not hold a value.
+    NotHeld,
+    /// A number of the state was not finite, or the sheet left.
+    Gone,
+    Held {
+        /// The largest strain of a stretch link at the end of a frame.
+        strain: f64,
+        /// By how much the energy exceeded that of the start, weights of the sheet times its size.
+        energy: f64,
+    },
+}
+
+impl Experiment {
+    /// The mass of an inner particle, kg.
+    pub(crate) fn mass(&self) -> f64 {
+        DENSITY * SIZE * SIZE / (self.side * self.side) as f64
+    }
+
+    /// The highest angular frequency of its springs, 1/s: neighbours that move against each other along a row stretch two links each by twice
+    /// their way, ω² = 4·k/m, and so do the diagonals, ω² = 4·k_shear/m.
+    pub(crate) fn frequency(&self) -> f64 {
+        (4.0 * 1.1 * self.stiffness / (self.mass() * self.hem.min(1.0))).sqrt()
+    }
+
+    /// At which rate wind takes a particle along, 1/s: the derivative of its force by the velocity, 2·½·ρ·c·A·v.
+    pub(crate) fn wind_rate(&self) -> f64 {
+        let area = SIZE * SIZE / ((self.side - 1) * (self.side - 1)) as f64;
+        AIR * PLATE * area * self.wind / self.mass()
+    }
+
+    /// Runs it.
+    pub(crate) fn run(&self, solver: SolverKind, scalar: ScalarKind, steps: u32) -> Result<Outcome, String> {
+        let scene = self.scene(solver)?;
+        let Ok(mut moving) = scene.simulation(scalar) else { return Ok(Outcome::NotHeld) };
+        let mut state = moving.state();
+        // displaced by up to a twentieth of a cell, without any symmetry
+        let amount = 0.05 * SIZE / (self.side - 1) as f64;
+        for (k, (position, pinned)) in state.still.positions.iter_mut().zip(&state.pinned).enumerate() {
+            if !pinned {
+                let wave = |a: f64, b: f64| (a * k as f64 + b).sin();
+                let by = [wave(1.1, 0.2), wave(2.3, 1.0), wave(3.7, 0.5)];
+                *position = core::array::from_fn(|axis| position[axis] + amount * by[axis]);
+            }
+        }
+        moving.restore(&state);
+        let weight = DENSITY * SIZE * SIZE * GRAVITY * SIZE;
+        // in fixed point it comes back from the other end of the range
+        let gone = SIZE * f64::min(FURTHEST, 100.0 / (self.side - 1) as f64);
+        let start = moving.energy();
+        let (mut strain, mut energy) = (0.0_f64, 0.0_f64);
+        for _ in 0..steps.div_ceil(self.substeps) {
+            moving.frame();
+            let reach = moving.still().positions.into_iter().flatten().fold(0.0, |a: f64, x| a.max(x.abs()));
+            let now = moving.strains().stretch.map_or(f64::NAN, |strain| strain.largest);
+            if !(moving.is_finite() && reach < gone && now.is_finite()) {
+                return Ok(Outcome::Gone);
+            }
+            strain = strain.max(now);
+            energy = energy.max((moving.energy() - start) / weight);
+        }
+        Ok(Outcome::Held { strain, energy })
+    }
+
+    fn scene(&self, solver: SolverKind) -> Result<Description, String> {
+        let Self { side, stiffness, hem, drag, frame, substeps, .. } = *self;
+        let mass = self.mass();
+        let (shear, bend) = (0.1 * stiffness, 0.01 * stiffness);
+        let half = 0.5 * SIZE;
+        let text = format!(
+            "name = \"stability\"\n\
+             [cloth]\ncolumns = {side}\nrows = {side}\nwidth = {SIZE}\nheight = {SIZE}\nmass = {mass}\nhem = {hem}\n\
+             pose = \"hang\"\norigin = [-{half}, 0.0, {half}]\npins = \"top-corners\"\n\
+             [stretch]\nstiffness = {stiffness}\n[shear]\nstiffness = {shear}\n[bend]\nstiffness = {bend}\n\
+             [environment]\ngravity = [0.0, 0.0, -{GRAVITY}]\ndrag = {drag}\n\
+             [solver]\nkind = \"{}\"\nstep = {frame}\nsubsteps = {substeps}\niterations = {}\n",
+            solver.name(),
+            if solver == SolverKind::Verlet { 4 } else { 1 },
+        );
+        let mut scene = Description::parse(&text).map_err(|error| error.to_string())?;
+        if self.wind > 0.0 {
+            let model = WindModel::Aerodynamic { density: AIR, drag_coefficient: PLATE };
+            scene.wind = Some(Wind { velocity: [0.0, self.wind, 0.0], model });
+        }
+        Ok(scene)
+    }
+}
+
+/// kg/m³, and the drag coefficient of a plate.
+const AIR: f64 = 1.2;
+const PLATE: f64 = 1.2;
+
+/// What is done, in words.
+pub(crate) fn words(steps: u32) -> String {
+    format!(
+        "A square sheet of {SIZE} m and {DENSITY} kg/m² hangs from two corners, every particle displaced by up to 5 % of a cell, and is let go for {steps} solver \
+         steps with a drag of {} /s. Where an axis does not say otherwise it has {} × {} particles, stretch springs of {} N/m (shear a tenth, bend a hundredth of \
+         that) and steps of {:.1} ms. Position Verlet has 4 sweeps, the others their defaults. Strain is the largest of a stretch link at the end of any frame; the gain of \
+         energy is the largest over that of the start, in weights of the sheet times its size; what a solver leaves of strain in nearly rigid springs counts.\n\n\
+         *Black*: the sheet is gone, undefined or {FURTHEST} times its size away. *Hatched*: the number type does not hold a value, and the scene is refused. Lines are the \
+         limits of theory: h = 2/ω for leapfrog and h = γ/ω² for forward Euler with drag γ, ω² = 4·(k + k_shear)/m; in wind also h = 2/rate with the rate \
+         ρ·c·A·v/m at which it takes a particle along: beyond that line wind taken at a step's start would overshoot, were it not bounded.",
+        USUAL.drag,
+        USUAL.side,
+        USUAL.side,
+        USUAL.stiffness,
+        1e3 * USUAL.frame / f64::from(USUAL.substeps),
+    )
+}

@@ -1,0 +1,134 @@
+//! A number that is another one when anything has changed: how a sheet at rest notices that it has to wake.
+
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+
+/// A 32-bit hash of numbers, in the order in which they were added.
+///
+/// A single number that changes always changes it; several that change at once leave it the same once in 2³² times.
+///
+/// ```
+/// use kerchief::fingerprint::Fingerprint;
+/// use kerchief::{Q24, Scalar, Vec3};
+///
+/// let of = |z| {
+///     let mut print = Fingerprint::new();
+///     print.vector(Vec3::<Q24>::from_f64([0.0, 0.0, z]));
+///     print
+/// };
+/// assert!(of(-9.81).matches(of(-9.81)));
+/// assert!(!of(-9.81).matches(of(-9.82)));
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Fingerprint {
+    hash: u32,
+    known: bool,
+}
+
+impl Fingerprint {
+    /// The fingerprint of nothing.
+    pub const fn new() -> Self {
+        Self { hash: 0, known: true }
+    }
+
+    /// Takes something in that cannot be seen: this fingerprint then matches no other.
+    pub const fn unknown(&mut self) {
+        self.known = false;
+    }
+
+    /// Takes a number in.
+    #[inline]
+    pub fn number<S: Scalar>(&mut self, number: S) {
+        self.numbers([number]);
+    }
+
+    /// Takes up to seven numbers in, at the cost of one product.
+    #[inline]
+    pub fn numbers<S: Scalar, const N: usize>(&mut self, numbers: [S; N]) {
+        const { assert!(N <= 7, "an eighth would be rotated nearly as the first") };
+        let mut mix = 0_u32;
+        for (k, number) in numbers.into_iter().enumerate() {
+            // each to another place, so that equal changes of two don't cancel
+            mix ^= number.word().rotate_left(9 * k as u32);
+        }
+        self.word(mix);
+    }
+
+    /// Takes a vector in.
+    #[inline]
+    pub fn vector<S: Scalar>(&mut self, vector: Vec3<S>) {
+        self.numbers([vector.x, vector.y, vector.z]);
+    }
+
+    /// Takes 32 bits in.
+    #[inline]
+    pub fn word(&mut self, word: u32) {
+        // the rotation brings what a product leaves in the upper bits, as of changed signs, back to the lower ones
+        self.hash = (self.hash.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b9);
+    }
+
+    /// Whether both are of the same numbers.
+    pub const fn matches(self, other: Self) -> bool {
+        self.known && other.known && self.hash == other.hash
+    }
+}
+
+impl Default for Fingerprint {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Q24;
+
+    fn of<S: Scalar>(numbers: &[f64]) -> Fingerprint {
+        let mut print = Fingerprint::new();
+        numbers.iter().for_each(|&number| print.number(S::from_f64(number)));
+        print
+    }
+
+    fn every_change_shows<S: Scalar>() {
+        let numbers: [f64; 256] = core::array::from_fn(|k| (k as f64 * 0.37).sin());
+        let print = of::<S>(&numbers);
+        assert!(print.matches(of::<S>(&numbers)));
+        for k in 0..256 {
+            let mut changed = numbers;
+            changed[k] += 2.0 * S::RESOLUTION;
+            assert!(!print.matches(of::<S>(&changed)), "number {k}");
+        }
+        // changes of all numbers at once, which a weaker hash would take for none
+        let all = |change: fn(f64) -> f64| of::<S>(&numbers.map(change));
+        for (what, changed) in
+            [("sign", all(|x| -x)), ("place", all(|x| x + 1.0)), ("size", all(|x| 2.0 * x)), ("all", all(|_| 0.0))]
+        {
+            assert!(!print.matches(changed), "{what}");
+        }
+        let seven = |change: f64| {
+            let mut print = Fingerprint::new();
+            print.numbers::<S, 7>(core::array::from_fn(|k| S::from_f64(numbers[k] * change)));
+            print
+        };
+        assert!(seven(1.0).matches(seven(1.0)) && !seven(1.0).matches(seven(-1.0)) && !seven(1.0).matches(seven(2.0)));
+        let mut swapped = numbers;
+        swapped.swap(3, 200);
+        assert!(!print.matches(of::<S>(&swapped)));
+    }
+
+    #[test]
+    fn every_change_shows_in_every_number_type() {
+        every_change_shows::<f32>();
+        every_change_shows::<f64>();
+        every_change_shows::<Q24>();
+    }
+
+    #[test]
+    fn what_cannot_be_seen_matches_nothing() {
+        let mut print = Fingerprint::new();
+        print.unknown();
+        assert!(!print.matches(print));
+        assert!(!print.matches(Fingerprint::new()) && !Fingerprint::new().matches(print));
+    }
+}

@@ -1,0 +1,198 @@
+//! Scenes and states that nobody would write: none panics, none hangs, and what a stable solver moves stays finite.
+//!
+//! `PROPTEST_CASES=100000 cargo test --release --test random_scenes` looks longer. What it finds is kept in `random_scenes.regressions` and tried first.
+
+use std::fmt::Write;
+
+use kerchief::host::{BUILT_IN, Description, ScalarKind, SolverKind};
+use kerchief::{
+    AerodynamicWind, BackwardEuler, Bend, Cloth, Damped, Drag, FacetWind, ForwardEuler, Gravity, Leapfrog, Lines, Node,
+    Plane, Q13, Q24, Resting, Scalar, Scene, Shear, Sphere, Stillness, StrainLimited, Stretch, Tether, Units, Vec3,
+    Verlet, Xpbd, measure,
+};
+use proptest::prelude::*;
+use proptest::sample::{Index, select};
+use proptest::test_runner::{FailurePersistence, FileFailurePersistence};
+
+/// A number between two powers of ten.
+fn power(low: f64, high: f64) -> impl Strategy<Value = f64> {
+    (low..high).prop_map(|exponent| 10_f64.powf(exponent))
+}
+
+fn vector(largest: f64) -> impl Strategy<Value = [f64; 3]> {
+    [-largest..largest, -largest..largest, -largest..largest]
+}
+
+/// Tables that a scene may have or not.
+fn extras() -> impl Strategy<Value = String> {
+    let wind = (vector(30.0), select(&["facet", "aerodynamic"][..]))
+        .prop_map(|(velocity, model)| format!("wind = {{ velocity = {velocity:?}, model = \"{model}\" }}\n"));
+    let environment = (vector(20.0), power(-2.0, 2.0), proptest::option::of(wind)).prop_map(|(gravity, drag, wind)| {
+        format!("[environment]\ngravity = {gravity:?}\ndrag = {drag}\n{}", wind.unwrap_or_default())
+    });
+    let surface =
+        (0.0..0.1, 0.0..2.0).prop_map(|(margin, friction)| format!("margin = {margin}\nfriction = {friction}\n"));
+    let sphere =
+        (vector(1.0), power(-2.0, 0.0), vector(5.0), surface).prop_map(|(centre, radius, velocity, surface)| {
+            format!("[[sphere]]\ncentre = {centre:?}\nradius = {radius}\nvelocity = {velocity:?}\n{surface}")
+        });
+    let plane = vector(1.0).prop_map(|normal| format!("[[plane]]\npoint = [0.0, 0.0, -1.0]\nnormal = {normal:?}\n"));
+    let tether = (0.0..0.5).prop_map(|slack| format!("[tether]\nslack = {slack}\n"));
+    let rest = power(-4.0, 0.0).prop_map(|speed| format!("[rest]\nspeed = {speed}\n"));
+    let option = |text: BoxedStrategy<String>| proptest::option::of(text).prop_map(Option::unwrap_or_default);
+    (environment, option(sphere.boxed()), option(plane.boxed()), option(tether.boxed()), option(rest.boxed()))
+        .prop_map(|(a, b, c, d, e)| a + &b + &c + &d + &e)
+}
+
+fn scene() -> impl Strategy<Value = String> {
+    let cloth = (
+        select(&[[4, 4], [8, 8], [1, 32]][..]),
+        power(-1.0, 1.0),
+        power(-5.0, 1.0),
+        select(&["[[0, 0]]", "\"top\"", "\"left\"", "\"corners\"", "[]"][..]),
+        select(&["lay", "hang"][..]),
+    );
+    let links = [power(-2.0, 8.0), power(-2.0, 8.0), power(-2.0, 8.0), power(-6.0, 1.0)];
+    let step = (power(-3.0, -0.7), 1_u32..10, 1_u32..4, proptest::option::of(power(-3.0, 0.0)));
+    (cloth, links, extras(), step).prop_map(|((shape, size, mass, pins, pose), links, extras, step)| {
+        let [columns, rows] = shape;
+        let [stretch, shear, bend, damping] = links;
+        let (frame, substeps, iterations, limit) = step;
+        let mut text = format!(
+            "[cloth]\ncolumns = {columns}\nrows = {rows}\nwidth = {size}\nheight = {size}\nmass = {mass}\npins = {pins}\n\
+             pose = \"{pose}\"\n[stretch]\nstiffness = {stretch}\ndamping = {damping}\n[shear]\nstiffness = {shear}\n\
+             [bend]\nstiffness = {bend}\n{extras}[solver]\nstep = {frame}\nsubsteps = {substeps}\niterations = {iterations}\n"
+        );
+        if let Some(limit) = limit {
+            let _ = writeln!(text, "strain_limit = {limit}");
+        }
+        text
+    })
+}
+
+/// Pieces of scene files, torn out and put elsewhere.
+fn torn() -> impl Strategy<Value = String> {
+    let tear = (any::<Index>(), any::<Index>(), "[-\\[\\]{}=.,\"'# \\n0-9a-z\\x00é€]{0,6}");
+    (any::<Index>(), proptest::collection::vec(tear, 1..6)).prop_map(|(scene, tears)| {
+        let mut text: Vec<char> = scene.get(BUILT_IN).text.chars().collect();
+        for (from, to, instead) in tears {
+            let (from, to) = (from.index(text.len() + 1), to.index(text.len() + 1));
+            text.splice(from.min(to)..from.max(to).min(from.min(to) + 40), instead.chars());
+        }
+        text.into_iter().collect()
+    })
+}
+
+/// Digests after some frames; none where the number type does not hold the scene.
+fn played(scene: &Description, scalar: ScalarKind) -> Option<(u32, bool)> {
+    let mut simulation = match scene.simulation(scalar) {
+        Ok(simulation) => simulation,
+        Err(error) => {
+            assert!(!error.to_string().contains('\n') && !error.key.is_empty(), "{error}");
+            return None;
+        }
+    };
+    for _ in 0..12 {
+        simulation.frame();
+    }
+    Some((simulation.digest(), simulation.is_finite()))
+}
+
+/// As many cases as the environment asks for, or this many.
+fn config(cases: u32) -> ProptestConfig {
+    let asked = std::env::var_os("PROPTEST_CASES").is_some();
+    let usual = ProptestConfig::default();
+    let failure_persistence: Option<Box<dyn FailurePersistence>> =
+        Some(Box::new(FileFailurePersistence::WithSource("regressions")));
+    ProptestConfig { cases: if asked { usual.cases } else { cases }, failure_persistence, ..usual }
+}
+
+proptest! {
+    #![proptest_config(config(40))]
+
+    #[test]
+    fn stable_solvers_keep_every_scene_finite(text in scene()) {
+        let Ok(mut scene) = Description::parse(&text) else { return Ok(()) };
+        for kind in [SolverKind::Lines, SolverKind::Xpbd, SolverKind::Verlet, SolverKind::BackwardEuler] {
+            scene.solver.kind = kind;
+            for scalar in ScalarKind::ALL {
+                let once = played(&scene, scalar);
+                prop_assert!(once.is_none_or(|(_, finite)| finite), "{} in {}", kind.name(), scalar.name());
+                prop_assert_eq!(once, played(&scene, scalar), "{} in {}", kind.name(), scalar.name());
+            }
+        }
+    }
+
+}
+
+proptest! {
+    #![proptest_config(config(1000))]
+
+    #[test]
+    fn torn_files_are_refused_in_a_line(text in torn()) {
+        if let Err(error) = Description::parse(&text) {
+            prop_assert!(!error.to_string().contains(char::is_control), "{error:?}");
+        }
+    }
+
+    #[test]
+    fn no_bits_of_a_state_panic(bits in proptest::collection::vec(any::<u32>(), 4 * 4 * 7 + 24)) {
+        any_state(&bits, |bits| Q24::from_bits(bits as i32));
+        any_state(&bits, |bits| Q13::from_bits(bits as i32));
+        any_state(&bits, f32::from_bits);
+    }
+}
+
+const UNITS: Units = Units::sheet([4, 4], [1.0, 0.8], 0.01, 0.05, 3);
+
+/// A step of everything there is, from a state and with parameters of any bits.
+fn any_state<S: Scalar>(bits: &[u32], number: fn(u32) -> S) {
+    let mut numbers = bits.iter().map(|&bits| number(bits));
+    let mut next = move || numbers.next().expect("enough bits");
+    let mut cloth = Cloth::<S, 4, 4>::lay(&UNITS, UNITS.point([0.0; 3]));
+    cloth.position.change(|_| Vec3::new(next(), next(), next()));
+    cloth.velocity.change(|_| Vec3::new(next(), next(), next()));
+    cloth.inverse_mass.values_mut().for_each(|mass| *mass = next());
+    cloth.pin(Node::new(0, 0));
+    let mut vector = || Vec3::new(next(), next(), next());
+    let mut gravity = Gravity::new(UNITS.acceleration([0.0; 3]));
+    gravity.gain = vector();
+    let mut facets = FacetWind::new(UNITS.facet_wind([0.0; 3]));
+    facets.wind = vector();
+    let mut air = AerodynamicWind::new(UNITS.aerodynamic_wind([0.0; 3], 1.2, 1.2));
+    (air.wind, air.pressure) = (vector(), vector().x);
+    let mut ball = Sphere::new(UNITS.point([0.0; 3]), UNITS.length(0.3), UNITS.length(0.1)).with_friction(vector().x);
+    (ball.centre, ball.velocity) = (vector(), vector());
+    let plane = Plane::new(UNITS.point([0.0; 3]), Vec3::from_f64([0.0, 0.6, 0.8]), UNITS.length(0.1));
+    let stretch = Damped::new(Stretch::new(&UNITS, UNITS.stiffness(1e3)), UNITS.damping(0.1));
+    let Ok(tether) = Tether::<S, 1>::new(&UNITS, &[Node::new(0, 0)], S::ZERO) else { unreachable!("one fits") };
+    let links = (
+        StrainLimited::new(stretch, S::from_f64(0.1)),
+        Shear::new(&UNITS, UNITS.stiffness(1e6)),
+        Bend::new(&UNITS, UNITS.compliance(0.0)),
+        tether,
+    );
+    let forces = (gravity, Drag::new(UNITS.drag(0.5)), facets, air);
+
+    macro_rules! each {
+        ($($solver:expr),*) => {$({
+            let mut scene = Scene::new(&UNITS, forces, links.clone(), (ball, plane), $solver);
+            let (mut sheet, mut memory) = (cloth, scene.memory::<S, 4, 4>());
+            for _ in 0..2 {
+                scene.step(&mut sheet, &mut memory);
+                scene.advance::<S>();
+            }
+            measure::digest(&sheet);
+            measure::strain(&sheet, &scene.links);
+        })*};
+    }
+    each!(
+        Lines::<4>::new(),
+        Xpbd,
+        Verlet { sweeps: 3 },
+        Leapfrog,
+        ForwardEuler,
+        BackwardEuler { newton_steps: 1 },
+        Resting::new(&UNITS, Stillness::DEFAULT, Xpbd)
+    );
+}

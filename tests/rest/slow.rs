@@ -1,0 +1,118 @@
+//! What moves slowly is not at rest.
+
+use kerchief::force::Force;
+use kerchief::{
+    Cloth, Drag, Gravity, Lines, Node, Q13, Q24, Resting, Scalar, Scene, Shear, Sphere, Stillness, Stretch, Units,
+    Vec3, Xpbd, measure,
+};
+
+const UNITS: Units = Units::sheet([4, 4], [0.3, 0.3], 1e-3, 1.0 / 60.0, 8);
+const STILL: Stillness = Stillness::DEFAULT;
+
+type Sheet<S> = Cloth<S, 4, 4>;
+
+fn gravity<S: Scalar>(acceleration: f64) -> Gravity<S> {
+    Gravity::new(UNITS.acceleration([0.0, 0.0, -acceleration]))
+}
+
+fn springs<S: Scalar>() -> (Stretch<S>, Shear<S>) {
+    (Stretch::new(&UNITS, UNITS.stiffness(50.0)), Shear::new(&UNITS, UNITS.stiffness(5.0)))
+}
+
+/// How far a sheet of no velocity falls in a minute, m.
+fn fallen<S: Scalar>(forces: impl Force<S>) -> f64 {
+    let scene = Scene::new(&UNITS, forces, springs::<S>(), (), Resting::new(&UNITS, STILL, Xpbd));
+    let mut cloth = Sheet::<S>::lay(&UNITS, UNITS.point([0.0; 3]));
+    let mut memory = scene.memory::<S, 4, 4>();
+    (0..3600).for_each(|_| scene.step(&mut cloth, &mut memory));
+    -measure::bounds(&cloth)[1].z.to_f64() * UNITS.cell
+}
+
+/// A ten-thousandth of a weight, which takes a second for the speed that counts as still, and drag that lets a sheet sink at little more than it.
+fn slow_falls_go_on<S: Scalar>() {
+    let sunk = fallen::<S>((gravity(9.81), Drag::new(UNITS.drag(9.81 / (1.2 * STILL.speed)))));
+    assert!((sunk / (60.0 * 1.2 * STILL.speed) - 1.0).abs() < 0.02, "{sunk} m in {}", S::NAME);
+    let (accelerated, drag) = (1.2 * STILL.acceleration, 0.2);
+    // x = a/γ·(t − (1 − exp(−γt))/γ)
+    let expected = accelerated / drag * (60.0 - (1.0 - (-drag * 60.0_f64).exp()) / drag);
+    let found = fallen::<S>((gravity(accelerated), Drag::new(UNITS.drag(drag))));
+    // a substep's gain is seven units of the last place of q24
+    assert!((found / expected - 1.0).abs() < 0.08, "{found} m instead of {expected} in {}", S::NAME);
+    // what is slower than that is at rest, by definition
+    assert!(fallen::<S>(gravity(0.8 * STILL.acceleration)) < 1e-3);
+}
+
+/// Frames at rest in a minute of a swing of this amplitude (m): a sheet on one edge in so little weight that it takes `PERIOD` for it.
+fn frames_at_rest<S: Scalar>(amplitude: f64) -> u32 {
+    // a plate of length ℓ on an edge swings like a pendulum of length ⅔·ℓ
+    const PERIOD: f64 = 6.0;
+    let weight = (core::f64::consts::TAU / PERIOD).powi(2) * 0.2;
+    let scene = Scene::new(&UNITS, gravity::<S>(weight), springs::<S>(), (), Resting::new(&UNITS, STILL, Lines::new()));
+    let mut cloth = Sheet::<S>::hang(&UNITS, UNITS.point([0.0; 3]));
+    (0..4).for_each(|column| cloth.pin(Node::new(column, 0)));
+    for row in 1..4 {
+        let out = amplitude * row as f64 / 3.0;
+        (0..4).for_each(|column| cloth.position.add(Node::new(column, row), UNITS.point([0.0, out, 0.0]).to_vec()));
+    }
+    let mut memory = scene.memory();
+    let mut at_rest = 0;
+    for _ in 0..3600 {
+        scene.step(&mut cloth, &mut memory);
+        at_rest += u32::from(memory.is_at_rest());
+    }
+    at_rest
+}
+
+/// At its turning points a swing has no speed, but the acceleration amplitude·ω².
+fn slow_swings_go_on<S: Scalar>() {
+    // 4 mm at ω = 1.05/s: 4.2 mm/s, 4.4 mm/s²
+    assert_eq!(frames_at_rest::<S>(4e-3), 0, "in {}", S::NAME);
+    // 0.1 mm/s, 0.1 mm/s²
+    assert!(frames_at_rest::<S>(1e-4) > 1000, "in {}", S::NAME);
+}
+
+/// A pin that travels slower than anything that counts as still, and a ball as slow that comes to touch a sheet at rest.
+fn slow_hands_are_followed<S: Scalar>() {
+    let slow = 0.1 * STILL.speed;
+    let ball = Sphere::new(UNITS.point([0.1, 0.061, -0.2]), UNITS.length(0.05), UNITS.length(0.01));
+    let ball = ball.with_velocity(UNITS.velocity([0.0, -slow, 0.0]));
+    let forces = (gravity::<S>(9.81), Drag::new(UNITS.drag(4.0)));
+    let mut scene = Scene::new(&UNITS, forces, springs::<S>(), ball, Resting::new(&UNITS, STILL, Lines::new()));
+    let mut cloth = Sheet::<S>::hang(&UNITS, UNITS.point([0.0; 3]));
+    (0..4).for_each(|column| cloth.pin(Node::new(column, 0)));
+    let mut memory = scene.memory();
+    let corner = cloth.position.at(Node::new(0, 0)).to_f64();
+    let velocity = Vec3::from_f64(UNITS.velocity([slow, 0.0, 0.0]).0);
+    cloth.velocity.set(Node::new(0, 0), velocity);
+    for _ in 0..3600 {
+        scene.step(&mut cloth, &mut memory);
+        scene.advance::<S>();
+    }
+    let travelled = (cloth.position.at(Node::new(0, 0)).to_f64()[0] - corner[0]) * UNITS.cell;
+    assert!((travelled / (60.0 * slow) - 1.0).abs() < 0.02, "the pin went {travelled} m in {}", S::NAME);
+    let pushed = -measure::bounds(&cloth)[0].y.to_f64() * UNITS.cell;
+    assert!((3e-3..8e-3).contains(&pushed), "the ball pushed the sheet by {pushed} m in {}", S::NAME);
+}
+
+#[test]
+fn falls() {
+    slow_falls_go_on::<f32>();
+    slow_falls_go_on::<f64>();
+    slow_falls_go_on::<Q24>();
+    slow_falls_go_on::<Q13>();
+}
+
+#[test]
+fn swings() {
+    slow_swings_go_on::<f32>();
+    slow_swings_go_on::<f64>();
+    slow_swings_go_on::<Q24>();
+}
+
+#[test]
+fn hands() {
+    slow_hands_are_followed::<f32>();
+    slow_hands_are_followed::<f64>();
+    slow_hands_are_followed::<Q24>();
+    slow_hands_are_followed::<Q13>();
+}

@@ -1,0 +1,109 @@
+//! Super-elasticity: by how much more a sheet of the thesis stretches in motion than its springs give by themselves.
+
+use kerchief::host::Counted;
+use kerchief::{
+    Bend, Cloth, Drag, FacetWind, Gravity, Lines, Node, Scalar, Scene, Shear, Solver, Sphere, Stretch, Units, Verlet,
+    measure,
+};
+
+const SIDE: usize = 32;
+const FRAME: f64 = 0.1;
+/// Frames until the sheets hang.
+const FRAMES: u32 = 50;
+
+/// A scene of the thesis.
+#[derive(Clone, Copy, Debug)]
+enum Thesis {
+    Gravity,
+    Sphere,
+    Wind,
+    NoShear,
+}
+
+/// What a sheet did.
+#[derive(Clone, Copy, Debug)]
+struct Motion {
+    /// The largest strain of a stretch link at the end of any frame.
+    strain: f64,
+    /// Operations per particle and frame.
+    operations: f64,
+}
+
+impl Thesis {
+    const ALL: [Self; 4] = [Self::Gravity, Self::Sphere, Self::Wind, Self::NoShear];
+
+    fn pins(self) -> Vec<[usize; 2]> {
+        let last = SIDE - 1;
+        match self {
+            Self::Gravity | Self::NoShear => vec![[0, 0], [last, 0], [0, last]],
+            Self::Sphere => vec![[0, 0], [last, 0]],
+            Self::Wind => (0..SIDE).map(|row| [0, row]).collect(),
+        }
+    }
+
+    fn play<V: Solver<Counted>>(self, solver: V, substeps: u32, frames: u32) -> Motion {
+        let units = Units::sheet([SIDE; 2], [10.0; 2], 1.0, FRAME, substeps);
+        let mut cloth = Cloth::<Counted, SIDE, SIDE>::lay(&units, units.point([-5.0, -5.0, 0.0]));
+        self.pins().into_iter().for_each(|[column, row]| cloth.pin(Node::new(column, row)));
+        let wind = matches!(self, Self::Wind).then(|| FacetWind::new(units.facet_wind([5.0, 0.0, -3.0])));
+        let gravity = Gravity::new(units.acceleration([0.0, 0.0, -9.81]));
+        let forces = (gravity, Drag::new(units.verlet_damping(0.1)), wind);
+        let shear = Shear::new(&units, units.stiffness(9427.0));
+        let links = (
+            Stretch::new(&units, units.stiffness(94_270.0)),
+            (!matches!(self, Self::NoShear)).then_some(shear),
+            Bend::new(&units, units.stiffness(942.7)),
+        );
+        let ball: heapless::Vec<_, 1> =
+            [Sphere::new(units.point([-1.0, -1.0, -7.0]), units.length(2.0), units.length(0.59))]
+                .into_iter()
+                .filter(|_| matches!(self, Self::Sphere | Self::NoShear))
+                .collect();
+        let scene = Scene::new(&units, forces, links, ball, solver);
+        let mut memory = scene.memory();
+        let mut strain = 0.0_f64;
+        let mut operations = 0;
+        for _ in 0..frames {
+            Counted::reset();
+            scene.step(&mut cloth, &mut memory);
+            operations += Counted::operations().total();
+            strain = strain.max(measure::strain(&cloth, &scene.links.0).largest.to_f64());
+        }
+        Motion { strain, operations: operations as f64 / f64::from(frames) / (SIDE * SIDE) as f64 }
+    }
+}
+
+/// What a scene has to reach.
+struct Goal {
+    scene: Thesis,
+    /// What the springs themselves give: the strain with 64 substeps, which the long version (`KERCHIEF_LONG=1`) measures.
+    springs: f64,
+    /// The least substeps that add a tenth at most, and what they cost in all, in frames of the thesis' method with its 15 sweeps.
+    substeps: u32,
+    cost: f64,
+}
+
+const GOALS: [Goal; 4] = [
+    Goal { scene: Thesis::Gravity, springs: 0.2539, substeps: 3, cost: 4.4 },
+    Goal { scene: Thesis::Sphere, springs: 0.1494, substeps: 2, cost: 3.2 },
+    Goal { scene: Thesis::Wind, springs: 0.0180, substeps: 1, cost: 0.5 },
+    Goal { scene: Thesis::NoShear, springs: 0.1682, substeps: 3, cost: 5.0 },
+];
+
+#[test]
+fn the_thesis_scenes_are_not_super_elastic() {
+    let lines = Lines::<6>::with_sweeps(2);
+    for Goal { scene, springs, substeps, cost } in GOALS {
+        let usual = scene.play(lines, 8, FRAMES);
+        assert!(usual.strain < springs + 0.01, "{scene:?} with 8 substeps: {usual:?}");
+        let thesis = scene.play(Verlet { sweeps: 15 }, 1, FRAMES);
+        assert!(thesis.strain > springs + 0.3, "{scene:?} by the method of the thesis: {thesis:?}");
+        let cheap = scene.play(lines, substeps, FRAMES);
+        assert!(cheap.strain < springs + 0.1, "{scene:?} with {substeps} substeps: {cheap:?}");
+        assert!(cheap.operations < cost * thesis.operations, "{scene:?}: {cheap:?} against {thesis:?}");
+        if std::env::var_os("KERCHIEF_LONG").is_some() {
+            let fine = scene.play(lines, 64, FRAMES);
+            assert!((fine.strain - springs).abs() < 5e-4, "{scene:?} with 64 substeps: {fine:?}");
+        }
+    }
+}

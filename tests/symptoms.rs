@@ -1,0 +1,96 @@
+//! The page of symptoms: every scene there shows what it says, and its cure cures it.
+
+use std::fs;
+
+use kerchief::host::{Description, ScalarKind, Simulation};
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// A scene at its end, and the largest strain of its stretch links in motion.
+struct Course {
+    end: Box<dyn Simulation>,
+    strain: f64,
+    /// The largest speed in the last tenth of the run, m/s.
+    speed: f64,
+    /// Frames that were not computed.
+    at_rest: u32,
+}
+
+fn course(name: &str) -> Course {
+    let path = format!("{ROOT}/examples/scenes/symptoms/{name}.toml");
+    let scene = Description::parse(&fs::read_to_string(path).unwrap()).unwrap();
+    assert_eq!(scene.name, name);
+    let mut moving = scene.simulation(ScalarKind::F32).unwrap();
+    let (mut strain, mut speed, mut at_rest) = (0.0_f64, 0.0_f64, 0);
+    for frame in 0..scene.frames {
+        let rests = moving.is_at_rest();
+        moving.frame();
+        at_rest += u32::from(rests && moving.is_at_rest());
+        let stretch = moving.strains().stretch.unwrap().largest;
+        strain = if stretch.is_nan() { f64::INFINITY } else { strain.max(stretch) };
+        if frame >= scene.frames - scene.frames / 10 {
+            let velocities = moving.state().velocities;
+            speed = velocities.into_iter().flatten().fold(speed, |speed, v| speed.max(v.abs()));
+        }
+    }
+    Course { end: moving, strain, speed, at_rest }
+}
+
+fn both(name: &str) -> [Course; 2] {
+    [course(name), course(&format!("{name}-cured"))]
+}
+
+#[test]
+fn explodes() {
+    let [ill, cured] = both("explodes");
+    assert!(!ill.end.is_finite());
+    assert!(cured.end.is_finite() && cured.strain < 0.05, "{}", cured.strain);
+}
+
+#[test]
+fn stretches_like_rubber() {
+    let [ill, cured] = both("rubber");
+    assert!(ill.strain > 1.0 && cured.strain < 0.005, "{} {}", ill.strain, cured.strain);
+}
+
+#[test]
+fn slides_off() {
+    let lowest = |course: &Course| course.end.still().positions.iter().fold(f64::INFINITY, |low, x| low.min(x[2]));
+    let [ill, cured] = both("slides").map(|course| lowest(&course));
+    assert!(ill < -2.0 && cured > -0.8, "{ill} m {cured} m");
+}
+
+#[test]
+fn shakes() {
+    let [ill, cured] = both("shakes");
+    assert!(ill.speed > 0.05 && cured.speed < 1e-3, "{} m/s {} m/s", ill.speed, cured.speed);
+}
+
+#[test]
+fn is_slow() {
+    let [ill, cured] = both("slow");
+    assert!(ill.at_rest == 0 && cured.at_rest > 200, "{} of 600", cured.at_rest);
+    let [ill, cured] = [ill, cured].map(|course| course.end.still().positions);
+    let apart = ill.into_iter().flatten().zip(cured.into_iter().flatten()).map(|(a, b)| (a - b).abs());
+    assert!(apart.fold(0.0, f64::max) < 1e-4, "it hangs elsewhere");
+}
+
+#[test]
+fn passes_through() {
+    let across = |course: &Course| course.end.still().positions.iter().fold(0.0_f64, |far, x| far.max(x[1].abs()));
+    let [ill, cured] = both("passes").map(|course| across(&course));
+    assert!(ill < 1e-3 && cured > 0.2, "{ill} m {cured} m");
+}
+
+/// The page and the scenes belong together.
+#[test]
+fn the_page_names_every_scene() {
+    let page = fs::read_to_string(format!("{ROOT}/docs/symptoms.md")).unwrap();
+    let mut names = 0;
+    for entry in fs::read_dir(format!("{ROOT}/examples/scenes/symptoms")).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        assert!(page.contains(&format!("(../examples/scenes/symptoms/{name})")), "{name} is not in docs/symptoms.md");
+        names += 1;
+    }
+    assert_eq!(page.matches("(../examples/scenes/symptoms/").count(), names);
+}
