@@ -50,6 +50,7 @@
 //! A step cannot fail. The same scene gives the same bits on every target, for every number type: only `+ − × ÷` and the square root are used, each
 //! rounded once, in one order. There is no unsafe code.
 #![no_std]
+#![forbid(unsafe_code)]
 
 #[cfg(feature = "std")]
 extern crate std;

@@ -137,7 +137,8 @@ impl<S: Scalar> Camera<S> {
         if place.z < Self::near() {
             return None;
         }
-        let spot = Spot { x: self.column(place.x.divide(place.z)), y: self.row(place.y.divide(place.z)) };
+        let nearness = place.z.recip();
+        let spot = Spot { x: self.column(place.x * nearness), y: self.row(place.y * nearness) };
         (spot.x.abs() < FARTHEST && spot.y.abs() < FARTHEST).then_some(spot)
     }
 

@@ -30,28 +30,28 @@
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::{Clipped, DrawTarget, DrawTargetExt};
-use embedded_graphics::geometry::{Dimensions, Point};
+use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::image::GetPixel;
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 
 /// A target that keeps the box around what was drawn on it since it was last erased.
 ///
-/// Memory: a rectangle (16 bytes) beside the target.
+/// Memory: a box (16 bytes) beside the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dirty<D> {
     target: D,
-    drawn: Rectangle,
+    drawn: Extent,
 }
 
 impl<D: DrawTarget> Dirty<D> {
     /// A target on which nothing has been drawn.
     pub const fn new(target: D) -> Self {
-        Self { target, drawn: Rectangle::zero() }
+        Self { target, drawn: Extent::EMPTY }
     }
 
     /// The box around what was drawn since the target was last erased.
     pub fn drawn(&self) -> Rectangle {
-        self.drawn
+        self.drawn.within(&self.target)
     }
 
     /// Fills the box of what was drawn with one colour, and nothing else.
@@ -59,7 +59,7 @@ impl<D: DrawTarget> Dirty<D> {
     /// # Errors
     /// Whatever the target reports.
     pub fn erase(&mut self, color: D::Color) -> Result<(), D::Error> {
-        let drawn = core::mem::take(&mut self.drawn);
+        let drawn = self.forget();
         if drawn.is_zero_sized() { Ok(()) } else { self.target.fill_solid(&drawn, color) }
     }
 
@@ -68,7 +68,7 @@ impl<D: DrawTarget> Dirty<D> {
     /// # Errors
     /// Whatever `restore` returns.
     pub fn restore<E>(&mut self, restore: impl FnOnce(&mut Clipped<'_, D>) -> Result<(), E>) -> Result<(), E> {
-        let drawn = core::mem::take(&mut self.drawn);
+        let drawn = self.forget();
         if drawn.is_zero_sized() { Ok(()) } else { restore(&mut self.target.clipped(&drawn)) }
     }
 
@@ -82,8 +82,43 @@ impl<D: DrawTarget> Dirty<D> {
         self.target
     }
 
+    fn forget(&mut self) -> Rectangle {
+        let drawn = self.drawn();
+        self.drawn = Extent::EMPTY;
+        drawn
+    }
+}
+
+/// A box that grows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Extent {
+    /// The first column and row.
+    low: Point,
+    /// Those after the last.
+    high: Point,
+}
+
+impl Extent {
+    const EMPTY: Self = Self { low: Point::new_equal(i32::MAX), high: Point::new_equal(i32::MIN) };
+
+    #[inline]
     fn add(&mut self, area: &Rectangle) {
-        self.drawn = union(&self.drawn, &area.intersection(&self.target.bounding_box()));
+        if !area.is_zero_sized() {
+            self.low = self.low.component_min(area.top_left);
+            self.high = self.high.component_max(area.top_left + area.size);
+        }
+    }
+
+    /// The part on a target.
+    fn within(&self, target: &impl Dimensions) -> Rectangle {
+        if self.low.x >= self.high.x {
+            return Rectangle::zero();
+        }
+        let target = target.bounding_box();
+        let low = self.low.component_max(target.top_left);
+        let high = self.high.component_min(target.top_left + target.size);
+        let [width, height] = [high.x - low.x, high.y - low.y].map(|side| u32::try_from(side).unwrap_or(0));
+        Rectangle::new(low, Size::new(width, height))
     }
 }
 
@@ -116,7 +151,7 @@ impl<D: DrawTarget> DrawTarget for Dirty<D> {
         });
         let result = self.target.draw_iter(seen);
         if low.x <= high.x {
-            self.add(&Rectangle::with_corners(low, high));
+            self.drawn.add(&Rectangle::with_corners(low, high));
         }
         result
     }
@@ -126,34 +161,37 @@ impl<D: DrawTarget> DrawTarget for Dirty<D> {
         area: &Rectangle,
         colors: I,
     ) -> Result<(), D::Error> {
-        self.add(area);
+        self.drawn.add(area);
         self.target.fill_contiguous(area, colors)
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: D::Color) -> Result<(), D::Error> {
-        self.add(area);
+        self.drawn.add(area);
         self.target.fill_solid(area, color)
     }
 
     fn clear(&mut self, color: D::Color) -> Result<(), D::Error> {
-        self.drawn = self.bounding_box();
+        self.drawn.add(&self.target.bounding_box());
         self.target.clear(color)
     }
 }
 
 /// A framebuffer that sends to a display of its size only what changed.
 ///
-/// Memory: the framebuffer and two rectangles (32 bytes).
+/// Memory: the framebuffer and two boxes (36 bytes).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Canvas<F> {
-    /// Inside, the box of what was erased or drawn since it was sent; outside, the box of what was drawn since it was erased.
-    buffer: Dirty<Dirty<F>>,
+    buffer: Dirty<F>,
+    /// What was erased since it was sent.
+    erased: Extent,
+    /// Whether the display has all that is drawn.
+    sent: bool,
 }
 
 impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
     /// A canvas on a framebuffer, for a display that shows the same as the buffer.
     pub const fn new(buffer: F) -> Self {
-        Self { buffer: Dirty::new(Dirty::new(buffer)) }
+        Self { buffer: Dirty::new(buffer), erased: Extent::EMPTY, sent: true }
     }
 
     /// Fills the box of what was drawn with one colour.
@@ -161,6 +199,7 @@ impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
     /// # Errors
     /// Whatever the buffer reports.
     pub fn erase(&mut self, color: <F as DrawTarget>::Color) -> Result<(), F::Error> {
+        self.erased.add(&self.buffer.drawn());
         self.buffer.erase(color)
     }
 
@@ -168,7 +207,8 @@ impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
     ///
     /// # Errors
     /// Whatever `restore` returns.
-    pub fn restore<E>(&mut self, restore: impl FnOnce(&mut Clipped<'_, Dirty<F>>) -> Result<(), E>) -> Result<(), E> {
+    pub fn restore<E>(&mut self, restore: impl FnOnce(&mut Clipped<'_, F>) -> Result<(), E>) -> Result<(), E> {
+        self.erased.add(&self.buffer.drawn());
         self.buffer.restore(restore)
     }
 
@@ -177,17 +217,33 @@ impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
     /// # Errors
     /// Whatever the display reports. The next time the same is sent again.
     pub fn flush<D: DrawTarget<Color = <F as DrawTarget>::Color>>(&mut self, display: &mut D) -> Result<(), D::Error> {
-        let Dirty { target: buffer, drawn } = &mut self.buffer.target;
-        if !drawn.is_zero_sized() {
-            display.fill_contiguous(drawn, drawn.points().filter_map(|at| buffer.pixel(at)))?;
-            *drawn = Rectangle::zero();
+        self.send(|buffer, changed| {
+            display.fill_contiguous(changed, changed.points().filter_map(|at| buffer.pixel(at)))
+        })
+    }
+
+    /// Passes the box around what was erased and drawn since the last time to `send`, with the buffer: for a driver that takes rows of the buffer as they
+    /// are. Nothing if that is nothing.
+    ///
+    /// # Errors
+    /// Whatever `send` returns. The next time the same is sent again.
+    pub fn send<E>(&mut self, send: impl FnOnce(&F, &Rectangle) -> Result<(), E>) -> Result<(), E> {
+        let mut changed = self.erased;
+        if !self.sent {
+            changed.add(&self.buffer.drawn());
         }
+        let changed = changed.within(&self.buffer);
+        if !changed.is_zero_sized() {
+            send(self.buffer.target(), &changed)?;
+        }
+        self.erased = Extent::EMPTY;
+        self.sent = true;
         Ok(())
     }
 
     /// The framebuffer.
     pub fn buffer(&self) -> &F {
-        self.buffer.target().target()
+        self.buffer.target()
     }
 }
 
@@ -202,6 +258,7 @@ impl<F: DrawTarget> DrawTarget for Canvas<F> {
     type Error = F::Error;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<F::Color>>>(&mut self, pixels: I) -> Result<(), F::Error> {
+        self.sent = false;
         self.buffer.draw_iter(pixels)
     }
 
@@ -210,14 +267,17 @@ impl<F: DrawTarget> DrawTarget for Canvas<F> {
         area: &Rectangle,
         colors: I,
     ) -> Result<(), F::Error> {
+        self.sent = false;
         self.buffer.fill_contiguous(area, colors)
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: F::Color) -> Result<(), F::Error> {
+        self.sent = false;
         self.buffer.fill_solid(area, color)
     }
 
     fn clear(&mut self, color: F::Color) -> Result<(), F::Error> {
+        self.sent = false;
         self.buffer.clear(color)
     }
 }
@@ -228,7 +288,6 @@ mod tests {
 
     use embedded_graphics::Drawable;
     use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
-    use embedded_graphics::geometry::Size;
     use embedded_graphics::mock_display::MockDisplay;
     use embedded_graphics::pixelcolor::{BinaryColor, raw::LittleEndian, raw::RawU1};
     use embedded_graphics::primitives::{Line, Primitive, PrimitiveStyle};

@@ -36,20 +36,21 @@ impl Light {
     }
 
     /// The light on surfaces whose normals are those of the scene.
-    pub(super) fn lamp<S: Scalar>(&self, camera: &Camera<S>) -> Lamp<S> {
-        let towards = Vec3::from_f64(self.towards);
-        Lamp {
-            towards,
-            halfway: unit(towards - camera.axes.forward),
-            zenith: Vec3::new(S::ZERO, S::ZERO, S::ONE),
-            light: *self,
-        }
+    pub(super) fn lamp<S: Scalar>(&self, camera: &Camera<S>) -> Lamp {
+        self.lamp_of(camera, |direction| direction)
     }
 
     /// The light on surfaces whose normals are those that the eye sees.
-    pub(super) fn lamp_seen<S: Scalar>(&self, camera: &Camera<S>) -> Lamp<S> {
-        let Lamp { towards, halfway, zenith, light } = self.lamp(camera);
-        Lamp { towards: camera.seen(towards), halfway: camera.seen(halfway), zenith: camera.seen(zenith), light }
+    pub(super) fn lamp_seen<S: Scalar>(&self, camera: &Camera<S>) -> Lamp {
+        self.lamp_of(camera, |direction| camera.seen(direction))
+    }
+
+    fn lamp_of<S: Scalar>(&self, camera: &Camera<S>, seen: impl Fn(Vec3<S>) -> Vec3<S>) -> Lamp {
+        let towards = Vec3::from_f64(self.towards);
+        let [towards, halfway, zenith] =
+            [towards, unit(towards - camera.axes.forward), Vec3::new(S::ZERO, S::ZERO, S::ONE)]
+                .map(|direction| Normal::of(seen(direction)));
+        Lamp { towards, halfway, zenith, light: *self }
     }
 }
 
@@ -67,31 +68,31 @@ pub struct Finish {
 /// How far the lamp's light reaches around an edge: a wide lamp, not a point. Of 256.
 const WRAP: i32 = 80;
 
-/// A light in a number type.
+/// A light in the directions of a picture.
 #[derive(Clone, Copy, Debug)]
-pub struct Lamp<S> {
-    towards: Vec3<S>,
+pub struct Lamp {
+    towards: Normal,
     /// Between the lamp and the eye.
-    halfway: Vec3<S>,
-    zenith: Vec3<S>,
+    halfway: Normal,
+    zenith: Normal,
     light: Light,
 }
 
-impl<S: Scalar> Lamp<S> {
-    /// The tone of a surface of this colour and unit normal.
-    pub(super) fn tone(&self, base: Rgb888, finish: &Finish, normal: Vec3<S>) -> Rgb888 {
-        let facing = normal.dot(self.towards).round_times(256);
+impl Lamp {
+    /// The tone of a surface of this colour and normal.
+    pub(super) fn tone(&self, base: Rgb888, finish: &Finish, normal: Normal) -> Rgb888 {
+        let facing = normal.dot(self.towards, 8);
         let lamp = match (facing + WRAP) * 256 / (256 + WRAP) {
             lit if lit > 0 => lit,
             unlit => (-unlit * finish.translucency) >> 8,
         };
-        let upward = (normal.dot(self.zenith).round_times(128) + 128).clamp(0, 256);
-        let gloss = if facing > 0 {
-            let mut part = normal.dot(self.halfway).max(S::ZERO);
+        let upward = (normal.dot(self.zenith, 7) + 128).clamp(0, 256);
+        let gloss = if facing > 0 && finish.gloss != Rgb888::BLACK {
+            let mut part = normal.dot(self.halfway, Normal::BITS).max(0);
             for _ in 0..finish.polish {
-                part = part * part;
+                part = (part * part + (1 << (Normal::BITS - 1))) >> Normal::BITS;
             }
-            part.round_times(256)
+            part >> (Normal::BITS - 8)
         } else {
             0
         };
@@ -105,6 +106,59 @@ impl<S: Scalar> Lamp<S> {
         };
         Rgb888::new(channel(RgbColor::r), channel(RgbColor::g), channel(RgbColor::b))
     }
+}
+
+/// A direction as a unit vector in whole numbers of 32 bits, in 2⁻¹⁴: a tone of 8 bits needs no more, and a Cortex-M0 has no longer products.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Normal([i32; 3]);
+
+impl Normal {
+    const BITS: u32 = 14;
+
+    /// The direction of a vector whose length is near one.
+    pub(super) fn of<S: Scalar>(vector: Vec3<S>) -> Self {
+        Self::along(whole(vector))
+    }
+
+    /// The direction of the product `a × b` of two vectors of a length of about a cell.
+    pub(super) fn across<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Self {
+        let [a, b] = [a, b].map(|vector| shortened(whole(vector)));
+        Self::along([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+    }
+
+    /// The opposite direction.
+    pub(super) fn reversed(self) -> Self {
+        Self(self.0.map(|component| -component))
+    }
+
+    fn along(vector: [i32; 3]) -> Self {
+        let [x, y, z] = shortened(vector);
+        let length = (x * x + y * y + z * z).unsigned_abs().isqrt() as i32;
+        if length == 0 {
+            return Self([0; 3]);
+        }
+        let inverse = (1 << (2 * Self::BITS)) / length;
+        Self([x, y, z].map(|component| (component * inverse + (1 << (Self::BITS - 1))) >> Self::BITS))
+    }
+
+    /// The cosine of the angle between two directions, in 2⁻ᵇⁱᵗˢ.
+    fn dot(self, other: Self, bits: u32) -> i32 {
+        let [[a, b, c], [x, y, z]] = [self.0, other.0];
+        let drop = 2 * Self::BITS - bits;
+        (a * x + b * y + c * z + (1 << (drop - 1))) >> drop
+    }
+}
+
+/// In 2⁻¹², rounded.
+fn whole<S: Scalar>(Vec3 { x, y, z }: Vec3<S>) -> [i32; 3] {
+    [x, y, z].map(|component| component.round_times(1 << 12))
+}
+
+/// The same direction with components of at most 14 bits and a sign, so that three products fit 31.
+fn shortened(vector: [i32; 3]) -> [i32; 3] {
+    let bits = vector.into_iter().fold(0, |all, component| all | component.unsigned_abs());
+    let drop = 18_u32.saturating_sub(bits.leading_zeros());
+    vector.map(|component| component >> drop)
 }
 
 /// A vector of length one; a null vector stays one.
@@ -125,7 +179,7 @@ mod tests {
 
     fn tones<S: Scalar>(light: &Light, finish: &Finish, normal: [f64; 3]) -> Rgb888 {
         let camera = Camera::<S>::new(&View::new(0.0, 0.0), Size::new(64, 64));
-        light.lamp(&camera).tone(Rgb888::new(200, 100, 50), finish, unit(Vec3::from_f64(normal)))
+        light.lamp(&camera).tone(Rgb888::new(200, 100, 50), finish, Normal::of(unit(Vec3::<S>::from_f64(normal))))
     }
 
     #[test]

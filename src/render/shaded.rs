@@ -1,13 +1,12 @@
 //! A sheet as its faces.
 
 use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 
-use super::camera::Camera;
+use super::camera::{Camera, Spot};
 use super::fill;
 use super::ground::Backdrop;
-use super::light::{Lamp, unit};
+use super::light::{Lamp, Normal};
 use super::look::Look;
 use super::pattern::{Pattern, Place};
 use super::solid::Solids;
@@ -22,26 +21,45 @@ use crate::vec3::Vec3;
 ///
 /// Each cell is drawn as `N × N` faces, one unless it is [`smooth`](Self::smooth).
 ///
-/// Memory: 4 bytes per particle for the order in which cells are drawn, and the look.
+/// Memory: 16 bytes per particle, for where it is seen and the order in which cells are drawn; and the look.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shaded<L, const W: usize, const H: usize, const N: usize = 1> {
     /// How everything looks.
     pub look: L,
     /// Depth and cell, ready to be sorted.
     order: Grid<u32, W, H>,
+    seen: Grid<Seen, W, H>,
+}
+
+/// Where a point is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Seen {
+    spot: Spot,
+    /// In 2⁻¹³ of the distance to the target; negative for a point that isn't drawn.
+    depth: i32,
+}
+
+impl Seen {
+    const NOWHERE: Self = Self { spot: Spot { x: 0, y: 0 }, depth: -1 };
+
+    fn new<S: Scalar>(point: Vec3<S>, camera: &Camera<S>) -> Self {
+        let place = camera.place(point);
+        let depth = || place.z.min(S::from_int(7)).round_times(1 << 13);
+        camera.spot(place).map_or(Self::NOWHERE, |spot| Self { spot, depth: depth() })
+    }
 }
 
 impl<L, const W: usize, const H: usize> Shaded<L, W, H> {
     /// A renderer that draws one face for each cell.
     pub const fn new(look: L) -> Self {
         const { assert!(W * H <= 1 << 16, "a shaded sheet has at most 65536 particles") };
-        Self { look, order: Grid::filled(0) }
+        Self { look, order: Grid::filled(0), seen: Grid::filled(Seen::NOWHERE) }
     }
 
     /// Draws `N × N` faces for each cell, on a smooth surface through the particles: for large pictures. `N` up to 64.
     pub fn smooth<const N: usize>(self) -> Shaded<L, W, H, N> {
         const { assert!(N > 0 && N <= 64, "a cell is divided into 1 to 64 faces a side") };
-        Shaded { look: self.look, order: self.order }
+        Shaded { look: self.look, order: self.order, seen: self.seen }
     }
 }
 
@@ -63,13 +81,15 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
         let Look { light, solids, backdrop, .. } = &mut self.look;
         backdrop.prepare(cloth, solids, light);
         backdrop.draw(camera, target)?;
-        let mut target = Toned(target);
+        for (seen, point) in self.seen.0.as_flattened_mut().iter_mut().zip(cloth.position.values()) {
+            *seen = Seen::new(point, camera);
+        }
         let mut solid = farthest(&self.look.solids, camera, None);
         loop {
             let count = self.collect(cloth, camera, solid);
-            self.faces(cloth, camera, count, &mut target)?;
+            self.faces(cloth, camera, count, target)?;
             let Some(index) = solid else { return Ok(()) };
-            self.look.solids.draw(index, camera, &self.look.light, &mut target)?;
+            self.look.solids.draw(index, camera, &self.look.light, &mut Toned(target))?;
             solid = farthest(&self.look.solids, camera, Some(index));
         }
     }
@@ -84,19 +104,24 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
         let mut count = 0;
         for row in 1..H {
             for column in 1..W {
-                let [p, q, s, t] = corners(column - 1, row - 1).map(|node| cloth.position.at(node).halve(2));
-                let place = camera.place(p + q + s + t);
-                if place.z < Camera::<S>::near() {
+                let corners = corners(column - 1, row - 1);
+                let depths = corners.map(|corner| self.seen[corner].depth);
+                if depths.into_iter().any(|depth| depth < 0) {
                     continue;
                 }
-                let before = |index| solids.hides(index, place, camera);
-                let due = solid.is_none_or(before)
-                    && !(0..solids.count()).any(|other| is_deeper(solids, camera, other, solid) && before(other));
-                if due {
-                    let depth = place.z.min(S::from_int(7)).round_times(1 << 13) as u32;
-                    order[count] = (0xffff - depth) << 16 | ((row - 1) * W + column - 1) as u32;
-                    count += 1;
+                if solids.count() > 0 {
+                    let [p, q, s, t] = corners.map(|node| cloth.position.at(node).halve(2));
+                    let place = camera.place(p + q + s + t);
+                    let before = |index| solids.hides(index, place, camera);
+                    let due = solid.is_none_or(before)
+                        && !(0..solids.count()).any(|other| is_deeper(solids, camera, other, solid) && before(other));
+                    if !due {
+                        continue;
+                    }
                 }
+                let depth = depths.into_iter().sum::<i32>() as u32 >> 2;
+                order[count] = (0xffff - depth) << 16 | ((row - 1) * W + column - 1) as u32;
+                count += 1;
             }
         }
         order[..count].sort_unstable();
@@ -104,37 +129,51 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
     }
 
     /// Draws the first cells of the order.
-    fn faces<S: Scalar, D: DrawTarget<Color = Rgb888>>(
+    fn faces<S: Scalar, D: DrawTarget<Color: Shade>>(
         &self,
         cloth: &Cloth<S, W, H>,
         camera: &Camera<S>,
         count: usize,
         target: &mut D,
     ) -> Result<(), D::Error> {
-        let easel = Easel::<_, _, _, _, _, N> {
+        let easel = Easel::<_, _, _, _, N> {
             look: &self.look,
             lamp: self.look.light.lamp(camera),
-            camera,
             area: target.bounding_box(),
         };
         for key in &self.order.0.as_flattened()[..count] {
             let cell = (key & 0xffff) as usize;
             let cell = Node::new(cell % W, cell / W);
-            let corners = corners(cell.column, cell.row).map(|node| cloth.position.at(node));
+            let nodes = corners(cell.column, cell.row);
             if N == 1 {
-                let place = Place::middle::<W, H>(cell, [0, 0], 1);
-                easel.face(corners, &place, target)?;
+                let corners = nodes.map(|node| (cloth.position.at(node), self.seen[node]));
+                easel.face(corners, &Place::middle::<W, H>(cell, [0, 0], 1), target)?;
                 continue;
             }
-            let [p, q, s, t] = corners.map(|corner| camera.place(corner).z);
+            let [p, q, s, t] = nodes.map(|node| self.seen[node].depth);
             let (backward, upward) = (p + s < q + t, p + q < s + t);
             let part = |k: usize| S::from_int(k as i32).divide(S::from_int(N as i32));
+            let corner = |column: usize, row: usize| {
+                // particles are seen already
+                let node =
+                    (column % N == 0 && row % N == 0).then(|| Node::new(cell.column + column / N, cell.row + row / N));
+                let point = surface::point(&cloth.position, cell, part(column), part(row));
+                (point, node.map_or_else(|| Seen::new(point, camera), |node| self.seen[node]))
+            };
+            // the corners in a row: those at the start of each face, and the last one
+            let corners_of =
+                |row: usize| (core::array::from_fn::<_, N, _>(|column| corner(column, row)), corner(N, row));
+            let at = |(starts, end): &([_; N], _), column: usize| *starts.get(column).unwrap_or(end);
+            let mut edge = corners_of(if upward { N } else { 0 });
             for row in (0..N).map(|k| if upward { N - 1 - k } else { k }) {
+                let next = corners_of(if upward { row } else { row + 1 });
+                let (top, bottom) = if upward { (&next, &edge) } else { (&edge, &next) };
                 for column in (0..N).map(|k| if backward { N - 1 - k } else { k }) {
-                    let corner = |c, r| surface::point(&cloth.position, cell, part(column + c), part(row + r));
                     let place = Place::middle::<W, H>(cell, [column, row], N as i32);
-                    easel.face([corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)], &place, target)?;
+                    let corners = [at(top, column), at(top, column + 1), at(bottom, column), at(bottom, column + 1)];
+                    easel.face(corners, &place, target)?;
                 }
+                edge = next;
             }
         }
         Ok(())
@@ -142,38 +181,44 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
 }
 
 /// All that a face's picture depends on beside its corners.
-struct Easel<'a, S, F, B, O, G, const N: usize> {
+struct Easel<'a, F, B, O, G, const N: usize> {
     look: &'a Look<F, B, O, G>,
-    lamp: Lamp<S>,
-    camera: &'a Camera<S>,
+    lamp: Lamp,
     area: Rectangle,
 }
 
-impl<S: Scalar, F: Pattern, B: Pattern, O, G, const N: usize> Easel<'_, S, F, B, O, G, N> {
+impl<F: Pattern, B: Pattern, O, G, const N: usize> Easel<'_, F, B, O, G, N> {
     /// Draws the face of corners p, q (to the right), s (below) and t as the triangles (q, p, s) and (t, q, s).
-    fn face<D: DrawTarget<Color = Rgb888>>(
+    fn face<S: Scalar, D: DrawTarget<Color: Shade>>(
         &self,
-        [p, q, s, t]: [Vec3<S>; 4],
+        corners: [(Vec3<S>, Seen); 4],
         at: &Place,
         target: &mut D,
     ) -> Result<(), D::Error> {
-        let [Some(a), Some(b), Some(c), Some(d)] =
-            [p, q, s, t].map(|corner| self.camera.spot(self.camera.place(corner)))
-        else {
+        if corners.iter().any(|(_, seen)| seen.depth < 0) {
             return Ok(());
-        };
+        }
+        let [p, q, s, t] = corners.map(|(point, _)| point);
+        let [a, b, c, d] = corners.map(|(_, seen)| seen.spot);
         // Seen from the front, columns and rows turn against the clock. The diagonals span twice the face.
         let is_front = fill::turn(b, a, c) + fill::turn(d, b, c) > 0;
         let diagonals = ((t - p).times(N as i32), (s - q).times(N as i32));
-        let normal = unit(diagonals.0.cross(diagonals.1));
+        let normal = Normal::across(diagonals.0, diagonals.1);
         let look = self.look;
         let tone = if is_front {
             self.lamp.tone(look.front.tone(at), &look.finish, normal)
         } else {
-            self.lamp.tone(look.back.tone(at), &look.finish, -normal)
+            self.lamp.tone(look.back.tone(at), &look.finish, normal.reversed())
         };
-        fill::triangle([b, a, c], tone, &self.area, target)?;
-        fill::triangle([d, b, c], tone, &self.area, target)
+        if D::Color::PATTERNED {
+            let target = &mut Toned(target);
+            fill::triangle([b, a, c], tone, &self.area, target)?;
+            fill::triangle([d, b, c], tone, &self.area, target)
+        } else {
+            let color = D::Color::nearest(tone);
+            fill::triangle([b, a, c], color, &self.area, target)?;
+            fill::triangle([d, b, c], color, &self.area, target)
+        }
     }
 }
 

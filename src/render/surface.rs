@@ -16,15 +16,21 @@ pub(super) fn point<S: Scalar, const W: usize, const H: usize>(
     down: S,
 ) -> Vec3<S> {
     let (horizontal, vertical) = (weights(across), weights(down));
-    let rows = [0, 1, 2, 3].map(|k| {
-        let row = corner.row as i32 + k - 1;
-        blend(horizontal, [0, 1, 2, 3].map(|k| beyond_rows(position, corner.column as i32 + k - 1, row)))
-    });
-    blend(vertical, rows)
+    let row = |k: usize| {
+        let row = corner.row as i32 + k as i32 - 1;
+        let at = |k: usize| beyond_rows(position, corner.column as i32 + k as i32 - 1, row);
+        blend(horizontal, at)
+    };
+    blend(vertical, row)
 }
 
-fn blend<S: Scalar>(weights: [S; 4], points: [Vec3<S>; 4]) -> Vec3<S> {
-    points[0] * weights[0] + points[1] * weights[1] + points[2] * weights[2] + points[3] * weights[3]
+/// What has no weight isn't even computed.
+fn blend<S: Scalar>(weights: [S; 4], point: impl Fn(usize) -> Vec3<S>) -> Vec3<S> {
+    match weights {
+        [_, one, _, _] if one == S::ONE => point(1),
+        [_, _, one, _] if one == S::ONE => point(2),
+        _ => point(0) * weights[0] + point(1) * weights[1] + point(2) * weights[2] + point(3) * weights[3],
+    }
 }
 
 /// At 0 all weight is the second point's and at 1 the third's, exactly: neighbouring cells meet.

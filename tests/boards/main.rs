@@ -4,7 +4,6 @@
 
 mod digests;
 mod figures;
-mod firmware;
 mod image;
 mod machine;
 mod measure;
@@ -15,6 +14,8 @@ mod rules;
 mod bench;
 #[path = "../digests/cases.rs"]
 mod cases;
+#[path = "../../examples/emulate/firmware.rs"]
+mod firmware;
 #[path = "../digests/play.rs"]
 mod play;
 #[path = "../digests/setup.rs"]

@@ -69,8 +69,7 @@ fn measured() -> Vec<Figure> {
 fn executed(number: &str, here: &Here) -> Vec<Figure> {
     let machines = [M0, M3, M4F];
     let targets = machines.map(|machine| machine.target);
-    let firmware =
-        Firmware { example: "instructions", profile: "board", targets: &targets, only: [Some(number), None] };
+    let firmware = Firmware::measuring("instructions", &targets, [Some(number), None]);
     let programs = firmware.build();
     let [m0, m3, m4f] = machines.map(|machine| {
         let printed = machine.run_counted(&programs[machine.target]);
@@ -97,7 +96,8 @@ fn parse(line: &str, machine: &str, here: &Here) -> Figure {
 /// Adds what the linked program says.
 fn linked(figure: Figure) -> Figure {
     let only = [Some(figure.number.as_str()), Some(figure.scene.as_str())];
-    let firmware = Firmware { example: "footprint", profile: "board", targets: &[M0.target], only };
+    let targets = [M0.target];
+    let firmware = Firmware::measuring("footprint", &targets, only);
     let image = Image::read(&firmware.build()[M0.target]);
     let calls = rules::check(&image, &figure.number, &figure.scene);
     assert_eq!(image.ram, 0, "{} in {} has variables of its own", figure.scene, figure.number);

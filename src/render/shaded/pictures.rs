@@ -2,7 +2,7 @@
 
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::mock_display::MockDisplay;
-use embedded_graphics::pixelcolor::RgbColor;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::*;
 use crate::render::{Ball, Light, View};

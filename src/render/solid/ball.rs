@@ -8,7 +8,7 @@ use embedded_graphics::primitives::Rectangle;
 use super::Solids;
 use crate::render::camera::Camera;
 use crate::render::fill::next_middle;
-use crate::render::light::{Finish, Light};
+use crate::render::light::{Finish, Light, Normal};
 use crate::scalar::Scalar;
 use crate::units::{Length, Point as Place};
 use crate::vec3::Vec3;
@@ -89,7 +89,7 @@ impl<S: Scalar> Solids<S> for Ball<S> {
             let tones = columns.map(|column| {
                 let ray = Vec3::new(camera.slope_right(column), y, S::ONE);
                 let (_, normal) = sphere.meet(ray, sphere.inside(ray).max(S::ZERO));
-                lamp.tone(self.tone, &PAINT, normal)
+                lamp.tone(self.tone, &PAINT, Normal::of(normal))
             });
             target.fill_contiguous(&stretch, tones)?;
         }

@@ -9,7 +9,7 @@ use super::ball::{PAINT, Sphere};
 use super::{Ball, Solids};
 use crate::render::camera::Camera;
 use crate::render::canvas::union;
-use crate::render::light::{Light, unit};
+use crate::render::light::{Light, Normal, unit};
 use crate::scalar::Scalar;
 use crate::units::{Length, Point as Place};
 use crate::vec3::Vec3;
@@ -98,7 +98,7 @@ impl<S: Scalar> Solids<S> for Rod<S> {
             let mut tone = self.tone;
             let tones = (first..=last).map(|column| {
                 if let Some((_, normal)) = meet(column, y) {
-                    tone = lamp.tone(self.tone, &PAINT, normal);
+                    tone = lamp.tone(self.tone, &PAINT, Normal::of(normal));
                 }
                 tone
             });

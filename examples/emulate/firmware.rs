@@ -8,25 +8,31 @@ use std::process::Command;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Firmware<'a> {
     pub(crate) example: &'a str,
+    /// The board's file in `boards`; without one it is the board of `memory.x`.
+    pub(crate) board: Option<&'a str>,
+    pub(crate) features: &'a str,
     pub(crate) profile: &'a str,
     pub(crate) targets: &'a [&'a str],
     /// Number type and scene that are left of all.
     pub(crate) only: [Option<&'a str>; 2],
 }
 
-impl Firmware<'_> {
+impl<'a> Firmware<'a> {
+    /// A program that measures, on the board that takes every processor.
+    #[allow(dead_code, reason = "for the tests")]
+    pub(crate) const fn measuring(example: &'a str, targets: &'a [&'a str], only: [Option<&'a str>; 2]) -> Self {
+        Self { example, board: Some("lm3s6965"), features: "semihosting", profile: "board", targets, only }
+    }
+
     /// The programs, by target.
     pub(crate) fn build(&self) -> HashMap<String, PathBuf> {
         let mut cargo = Command::new("rustup");
         cargo.args(["run", concat!(env!("CARGO_PKG_RUST_VERSION"), ".0"), "cargo"]);
-        cargo.args([
-            "--config",
-            "boards/lm3s6965.toml",
-            "build",
-            "--locked",
-            "--message-format=json-render-diagnostics",
-        ]);
-        cargo.args(["--no-default-features", "--features", "semihosting"]);
+        if let Some(board) = self.board {
+            cargo.args(["--config", &format!("boards/{board}.toml")]);
+        }
+        cargo.args(["build", "--locked", "--message-format=json-render-diagnostics"]);
+        cargo.args(["--no-default-features", "--features", self.features]);
         cargo.args(["--example", self.example, "--profile", self.profile]);
         for target in self.targets {
             cargo.args(["--target", target]);

@@ -1,0 +1,120 @@
+//! Runs a board's example in an emulator: its log appears here, its display in a file.
+//!
+//! ```sh
+//! cargo emulate oled --png oled.png
+//! ```
+#![allow(missing_docs, reason = "a program")]
+
+mod film;
+mod firmware;
+mod gdb;
+mod oled;
+mod photograph;
+mod pico;
+mod program;
+mod qemu;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Parser, ValueEnum};
+use image::{Rgb, RgbImage};
+
+use gdb::Result;
+use qemu::Qemu;
+
+/// Runs a board's example in an emulator.
+#[derive(Debug, Parser)]
+struct Arguments {
+    board: Board,
+    /// Steps of the simulation.
+    #[arg(long, default_value_t = 120)]
+    steps: u32,
+    /// Where the display is drawn, anew after every picture.
+    #[arg(long)]
+    png: Option<PathBuf>,
+    /// Where an animation of the display is written (pico).
+    #[arg(long)]
+    gif: Option<PathBuf>,
+    /// The time of an instruction is 2 to the power of this, in nanoseconds.
+    #[arg(long, default_value_t = 0)]
+    shift: u32,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Board {
+    /// LM3S6965 evaluation board, OLED of 128 × 64 pixels, in QEMU
+    Oled,
+    /// Raspberry Pi Pico, LCD of 240 × 240 pixels, in rp2040js
+    Pico,
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    match run(&arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("emulate: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<()> {
+    match arguments.board {
+        Board::Oled => run_oled(arguments),
+        Board::Pico => run_pico(arguments),
+    }
+}
+
+fn run_oled(arguments: &Arguments) -> Result<()> {
+    let mut board = Qemu::start(oled::MACHINE, &oled::build(), arguments.shift)?;
+    let mut logged = 0;
+    loop {
+        let step = board.picture()?;
+        let log = board.log()?;
+        log[logged..].iter().for_each(|line| println!("{line}"));
+        logged = log.len();
+        let last = step >= arguments.steps;
+        if let Some(path) = &arguments.png {
+            let greys = oled::greys(&mut board)?;
+            let picture = RgbImage::from_fn(greys.width(), greys.height(), |x, y| {
+                let grey = u16::from(greys.get_pixel(x, y)[0]) * 17;
+                // an OLED of this kind is a little yellow
+                Rgb([255, 240, 190].map(|part| (grey * part / 255) as u8))
+            });
+            save(&photograph::photograph(&picture, 5, 1), path)?;
+        }
+        if last {
+            let [used, size] = board.stack()?;
+            println!("{used} of {size} bytes of stack were used");
+            let errors = board.errors()?;
+            return if errors.is_empty() { Ok(()) } else { Err(errors.into()) };
+        }
+    }
+}
+
+fn run_pico(arguments: &Arguments) -> Result<()> {
+    let shots = if arguments.gif.is_some() { (1..=arguments.steps as usize).collect() } else { Vec::new() };
+    let run = pico::run(&pico::build(), &pico::Plan { until: arguments.steps, shots, presses: Vec::new() })?;
+    run.log.iter().for_each(|line| println!("{line}"));
+    let [used, size] = run.stack;
+    println!("{used} of {size} bytes of stack were used");
+    if !run.errors.is_empty() {
+        return Err(run.errors.join("\n").into());
+    }
+    if let (Some(path), Some(last)) = (&arguments.png, run.shots.last()) {
+        save(&photograph::photograph(&pico::picture(last), 2, 0), path)?;
+    }
+    if let Some(path) = &arguments.gif {
+        film::save(&run.shots, &run.steps, path)?;
+    }
+    Ok(())
+}
+
+/// Replaces the file at once, so that who looks at it sees a whole picture.
+fn save(picture: &RgbImage, path: &Path) -> Result<()> {
+    let new = path.with_extension("new.png");
+    picture.save(&new)?;
+    Ok(std::fs::rename(new, path)?)
+}

@@ -1,0 +1,125 @@
+//! A curtain on the OLED of the LM3S6965 evaluation board. The joystick tilts gravity.
+//!
+//! | OLED (SSD0323, 128 × 64) | LM3S6965 |
+//! |---|---|
+//! | CLK | PA2 (SSI0Clk) |
+//! | CS | PA3 |
+//! | DIN | PA5 (SSI0Tx) |
+//! | D/C | PC7 |
+//!
+//! | joystick, low while pressed | LM3S6965 |
+//! |---|---|
+//! | up, down, left, right | PE0, PE1, PE2, PE3 |
+//!
+//! ![the OLED in the emulator](../../docs/oled.png)
+//!
+//! ```sh
+//! cargo emulate oled --png oled.png                  # in QEMU: the picture after 120 steps, and the log
+//! cargo --config boards/lm3s6965.toml build --profile board --features oled --target thumbv7m-none-eabi --example oled
+//! ```
+//!
+//! A step is a 25th of a second. Where pictures take longer, two steps are made up between them and the rest is dropped. At rest there is neither a step nor a
+//! byte for the display: the processor sleeps. The log goes through RTT.
+#![no_std]
+#![no_main]
+
+#[cfg(not(target_os = "none"))]
+compile_error!("this example is firmware: give a target");
+
+mod board;
+mod picture;
+mod show;
+mod ssd0323;
+
+#[path = "../boards/clock.rs"]
+mod clock;
+#[path = "../boards/meter.rs"]
+mod meter;
+#[path = "../boards/pace.rs"]
+mod pace;
+#[path = "../boards/still.rs"]
+mod still;
+
+use core::convert::Infallible;
+
+use board::{Board, FREQUENCY};
+use clock::Clock;
+use defmt_rtt as _;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::pixelcolor::{Gray4, GrayColor};
+use embedded_hal_bus::spi::ExclusiveDevice;
+use kerchief::measure;
+use kerchief::render::Canvas;
+use meter::{Lap, Meter};
+use pace::Pace;
+use panic_probe as _;
+use picture::Picture;
+use show::{RATE, Show};
+use ssd0323::Ssd0323;
+use static_cell::StaticCell;
+
+/// Steps between two lines of the log.
+const LOGGED: u32 = 60;
+
+static SHOW: StaticCell<Show> = StaticCell::new();
+static CANVAS: StaticCell<Canvas<Picture>> = StaticCell::new();
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    let Some(peripherals) = cortex_m::Peripherals::take() else { defmt::unreachable!() };
+    let board = Board::start();
+    let mut joystick = board.joystick;
+    let Ok(spi) = ExclusiveDevice::new_no_delay(board.spi, board.select);
+    let Ok(mut display) = Ssd0323::new(spi, board.data);
+    let show = SHOW.init_with(Show::new);
+    let canvas = CANVAS.init_with(|| Canvas::new(Picture::new()));
+    // what a display shows at first is anything
+    let Ok(()) = canvas.clear(Gray4::BLACK);
+    let clock = Clock::start(peripherals.SYST, FREQUENCY / RATE);
+    let mut pace = Pace::new(2);
+    let mut meter = Meter::default();
+    let (mut now, mut step, mut first) = (0, 0, true);
+    loop {
+        now = clock.wait(now);
+        let start = clock.cycles();
+        let mut changed = core::mem::take(&mut first);
+        let due = pace.due(now);
+        for _ in 0..due {
+            changed |= show.step(joystick.read());
+        }
+        step += due;
+        if !changed {
+            continue;
+        }
+        let simulated = clock.cycles();
+        let Ok(sort) = draw(show, canvas, &clock);
+        let drawn = clock.cycles();
+        let Ok(()) = canvas.send(|picture, area| display.send(picture.bytes(), area));
+        let sent = clock.cycles();
+        meter.simulate += simulated.wrapping_sub(start);
+        meter.sort += sort;
+        meter.fill += drawn.wrapping_sub(simulated) - sort;
+        meter.transfer += sent.wrapping_sub(drawn);
+        meter.pictures += 1;
+        if step % LOGGED < due {
+            meter.log(step, pace.dropped, measure::digest(&show.cloth));
+        }
+        shown(step);
+    }
+}
+
+/// Draws a picture, and says for how many cycles faces were put in order.
+fn draw(show: &mut Show, canvas: &mut Canvas<Picture>, clock: &Clock) -> Result<u32, Infallible> {
+    canvas.erase(Gray4::BLACK)?;
+    show.draw_rod(canvas)?;
+    let start = clock.cycles();
+    let mut lap = Lap::new(canvas, clock);
+    show.draw(&mut lap)?;
+    Ok(lap.first.map_or(0, |first| first.wrapping_sub(start)))
+}
+
+/// Where an emulator stops to look at the display.
+#[inline(never)]
+extern "C" fn shown(step: u32) {
+    core::hint::black_box(step);
+}

@@ -1,0 +1,192 @@
+//! A flag in gusts of wind, on a Raspberry Pi Pico with an LCD. The button chooses among breeze, wind and calm.
+//!
+//! | LCD (ST7789, 240 × 240) | Pico |
+//! |---|---|
+//! | SCL | GP18 (SPI0 SCK) |
+//! | SDA | GP19 (SPI0 TX) |
+//! | CS | GP17 |
+//! | DC | GP16 |
+//! | RES | GP20 |
+//! | BLK | GP21 |
+//! | VCC, GND | 3V3, GND |
+//!
+//! | button | Pico |
+//! |---|---|
+//! | one side, the other | GP15, GND |
+//!
+//! ![the LCD in the emulator](../../docs/pico.png)
+//!
+//! ```sh
+//! cargo emulate pico --png pico.png                  # in rp2040js: the picture after 120 steps, and the log
+//! cargo run --profile board --features pico --target thumbv6m-none-eabi --example pico     # on a Pico with a probe
+//! ```
+//!
+//! A step is a 30th of a second. Where pictures take longer, two steps are made up between them and the rest is dropped. At rest there is neither a step nor a
+//! byte for the display: the processor sleeps. The log goes through RTT.
+#![no_std]
+#![no_main]
+
+#[cfg(not(target_os = "none"))]
+compile_error!("this example is firmware: give a target");
+
+mod breeze;
+mod lcd;
+mod picture;
+mod show;
+
+#[path = "../boards/clock.rs"]
+mod clock;
+#[path = "../boards/meter.rs"]
+mod meter;
+#[path = "../boards/pace.rs"]
+mod pace;
+#[path = "../boards/still.rs"]
+mod still;
+
+use core::convert::Infallible;
+
+use clock::Clock;
+use defmt_rtt as _;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::prelude::RgbColor;
+use embedded_hal::digital::{InputPin, OutputPin};
+use embedded_hal::spi::MODE_3;
+use embedded_hal_bus::spi::ExclusiveDevice;
+use kerchief::measure;
+use kerchief::render::Canvas;
+use lcd::Lcd;
+use meter::{Lap, Meter};
+use mipidsi::Builder;
+use mipidsi::interface::SpiInterface;
+use mipidsi::models::ST7789;
+use mipidsi::options::ColorInversion;
+use pace::Pace;
+use panic_probe as _;
+use picture::{BLACK, Picture, Rows};
+use rp2040_hal::clocks::{Clock as _, init_clocks_and_plls};
+use rp2040_hal::fugit::RateExtU32;
+use rp2040_hal::gpio::{FunctionSpi, Pins};
+use rp2040_hal::pac::{CorePeripherals, Peripherals};
+use rp2040_hal::{Sio, Spi, Timer, Watchdog};
+use show::{RATE, SCREEN, Show};
+use static_cell::{ConstStaticCell, StaticCell};
+
+/// What the boot ROM runs first: it makes the flash readable.
+#[unsafe(link_section = ".boot2")]
+#[unsafe(no_mangle)]
+#[used]
+#[allow(unsafe_code, reason = "a section of its own")]
+static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
+
+/// The crystal of a Pico, Hz.
+const CRYSTAL: u32 = 12_000_000;
+/// Steps between two lines of the log.
+const LOGGED: u32 = 60;
+
+static SHOW: StaticCell<Show> = StaticCell::new();
+static ROWS: ConstStaticCell<Rows> = ConstStaticCell::new(BLACK);
+
+#[rp2040_hal::entry]
+fn main() -> ! {
+    let (Some(core), Some(mut chip)) = (CorePeripherals::take(), Peripherals::take()) else { defmt::unreachable!() };
+    let mut watchdog = Watchdog::new(chip.WATCHDOG);
+    let clocks = init_clocks_and_plls(
+        CRYSTAL,
+        chip.XOSC,
+        chip.CLOCKS,
+        chip.PLL_SYS,
+        chip.PLL_USB,
+        &mut chip.RESETS,
+        &mut watchdog,
+    );
+    let Ok(clocks) = clocks else { defmt::panic!("the clocks do not start") };
+    let sio = Sio::new(chip.SIO);
+    let pins = Pins::new(chip.IO_BANK0, chip.PADS_BANK0, sio.gpio_bank0, &mut chip.RESETS);
+    let mut timer = Timer::new(chip.TIMER, &mut chip.RESETS, &clocks);
+    let mut button = pins.gpio15.into_pull_up_input();
+    let mut light = pins.gpio21.into_push_pull_output();
+
+    let wires = (pins.gpio19.into_function::<FunctionSpi>(), pins.gpio18.into_function::<FunctionSpi>());
+    let spi = Spi::<_, _, _, 8>::new(chip.SPI0, wires);
+    let mut spi = spi.init(&mut chip.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
+    let mut select = pins.gpio17.into_push_pull_output();
+    let mut data = pins.gpio16.into_push_pull_output();
+    let Ok(device) = ExclusiveDevice::new_no_delay(&mut spi, &mut select);
+    let mut buffer = [0; 64];
+    let display = Builder::new(ST7789, SpiInterface::new(device, &mut data, &mut buffer))
+        .display_size(SCREEN.width as u16, SCREEN.height as u16)
+        .invert_colors(ColorInversion::Inverted)
+        .reset_pin(pins.gpio20.into_push_pull_output())
+        .init(&mut timer);
+    if display.is_err() {
+        defmt::panic!("the display does not start");
+    }
+    drop(display);
+
+    // from here on frames have 16 bits
+    let (interface, wires) = spi.disable().free();
+    let spi = Spi::<_, _, _, 16>::new(interface, wires);
+    let spi = spi.init(&mut chip.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
+    let mut lcd = Lcd { spi, select, data };
+
+    let show = SHOW.init_with(Show::new);
+    let canvas = &mut Canvas::new(Picture::new(ROWS.take()));
+    // what a display shows at first is anything
+    let Ok(()) = canvas.clear(Rgb565::BLACK);
+    let clock = Clock::start(core.SYST, clocks.system_clock.freq().to_Hz() / RATE);
+    let mut pace = Pace::new(2);
+    let mut meter = Meter::default();
+    let (mut now, mut step, mut first, mut pressed) = (0, 0, true, false);
+    loop {
+        now = clock.wait(now);
+        let start = clock.cycles();
+        let Ok(down) = button.is_low();
+        if down && !pressed {
+            show.press();
+        }
+        pressed = down;
+        let mut changed = first;
+        let due = pace.due(now);
+        for _ in 0..due {
+            changed |= show.step();
+        }
+        step += due;
+        if !changed {
+            continue;
+        }
+        let simulated = clock.cycles();
+        let Ok(sort) = draw(show, canvas, &clock);
+        let drawn = clock.cycles();
+        let Ok(()) = canvas.send(|picture, area| lcd.send(picture, area));
+        let sent = clock.cycles();
+        if core::mem::take(&mut first) {
+            // no sooner is there anything to see
+            let Ok(()) = light.set_high();
+        }
+        meter.simulate += simulated.wrapping_sub(start);
+        meter.sort += sort;
+        meter.fill += drawn.wrapping_sub(simulated) - sort;
+        meter.transfer += sent.wrapping_sub(drawn);
+        meter.pictures += 1;
+        if step % LOGGED < due {
+            meter.log(step, pace.dropped, measure::digest(&show.cloth));
+        }
+        shown(step);
+    }
+}
+
+/// Draws a picture, and says for how many cycles faces were put in order.
+fn draw(show: &mut Show, canvas: &mut Canvas<Picture>, clock: &Clock) -> Result<u32, Infallible> {
+    canvas.restore(|behind| show.draw_sky(behind))?;
+    let start = clock.cycles();
+    let mut lap = Lap::new(canvas, clock);
+    show.draw(&mut lap)?;
+    Ok(lap.first.map_or(0, |first| first.wrapping_sub(start)))
+}
+
+/// Where an emulator stops to look at the display.
+#[inline(never)]
+extern "C" fn shown(step: u32) {
+    core::hint::black_box(step);
+}
