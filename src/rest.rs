@@ -28,6 +28,8 @@
 //! Forces, links and colliders of one's own keep the sheet awake unless they tell what they consist of
 //! ([`Force::fingerprint`], [`Links::fingerprint`], [`Collider::fingerprint`]); a ball that travels keeps it awake too.
 
+use core::cmp::Ordering;
+
 use crate::cloth::Cloth;
 use crate::collider::Collider;
 use crate::fingerprint::Fingerprint;
@@ -187,7 +189,7 @@ fn fastest<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, li
         let limit = if cloth.is_pinned(node) { S::ZERO } else { limit };
         for speed in [x.abs(), y.abs(), z.abs()] {
             // what is undefined is in no order
-            if !(speed <= limit) {
+            if speed.partial_cmp(&limit).is_none_or(|order| order == Ordering::Greater) {
                 return None;
             }
             largest = largest.max(speed);

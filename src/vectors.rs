@@ -100,10 +100,14 @@ pub(crate) const fn columns<const AHEAD: usize, const BEHIND: usize, const W: us
 #[inline(always)]
 pub(crate) fn ahead<const BY: usize, S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> impl Fn(usize) -> Vec3<S> {
     let shifted = row.components(left::<BY, S, W>);
-    move |column| match column + BY < W {
-        _ if SIDE_BY_SIDE => shifted.at(column),
-        true => row.at(column + BY),
-        false => Vec3::ZERO,
+    move |column| {
+        if SIDE_BY_SIDE {
+            shifted.at(column)
+        } else if column + BY < W {
+            row.at(column + BY)
+        } else {
+            Vec3::ZERO
+        }
     }
 }
 
@@ -111,10 +115,14 @@ pub(crate) fn ahead<const BY: usize, S: Scalar, const W: usize>(row: &Vec3<[S; W
 #[inline(always)]
 pub(crate) fn behind<const BY: usize, S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> impl Fn(usize) -> Vec3<S> {
     let shifted = row.components(right::<BY, S, W>);
-    move |column| match column >= BY {
-        _ if SIDE_BY_SIDE => shifted.at(column),
-        true => row.at(column - BY),
-        false => Vec3::ZERO,
+    move |column| {
+        if SIDE_BY_SIDE {
+            shifted.at(column)
+        } else if column >= BY {
+            row.at(column - BY)
+        } else {
+            Vec3::ZERO
+        }
     }
 }
 

@@ -66,8 +66,8 @@ const DAMPED: Sheet = Sheet { pins: &[0, SIDE - 1], speed: 0.05, drag: 2.0, subs
 fn ten_seconds<V: Solver<f64> + Solver<Q24> + Solver<Q13> + Copy>(solver: V, substeps: u32) {
     let sheet = Sheet { substeps, ..DAMPED };
     let exact = sheet.after_ten_seconds::<f64, _>(solver);
-    let [accurate, fast] =
-        [sheet.after_ten_seconds::<Q24, _>(solver), sheet.after_ten_seconds::<Q13, _>(solver)].map(|found| distance(&found, &exact));
+    let [accurate, fast] = [sheet.after_ten_seconds::<Q24, _>(solver), sheet.after_ten_seconds::<Q13, _>(solver)]
+        .map(|found| distance(&found, &exact));
     println!("{substeps} substeps: {accurate:.1e} in q24, {fast:.1e} in q13");
     assert!(accurate <= 1e-4, "{accurate:e} sheet sizes from f64 in q24");
     assert!(fast <= 5e-4, "{fast:e} sheet sizes from f64 in q13");

@@ -341,6 +341,9 @@ fn the_report_has_its_keys_in_order() {
 }
 
 /// `[rest]` saves work, not truth: the sheet comes to the same end, and goes on when it is disturbed.
+/// Something that happens to a sheet at rest.
+type Disturb = fn(&mut dyn Simulation);
+
 #[test]
 fn a_sheet_at_rest_is_not_computed() {
     let room = room();
@@ -364,7 +367,6 @@ fn a_sheet_at_rest_is_not_computed() {
 
     let scene = Description::parse(&format!("{damped}[rest]\n")).unwrap();
     let mut resting = scene.simulation(ScalarKind::F32).unwrap();
-    type Disturb = fn(&mut dyn Simulation);
     let disturbances: [(&str, Disturb); 4] = [
         ("gravity", |simulation| simulation.set_gravity([0.0, 1.0, -9.81]).unwrap()),
         ("a pin let go", |simulation| simulation.set_pinned(3, 0, false)),

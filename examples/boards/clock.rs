@@ -33,6 +33,7 @@ impl Clock {
     }
 
     /// Steps since the start. Sleeps until there is another one than `last`.
+    #[allow(clippy::unused_self, reason = "only a clock that was started counts")]
     pub(crate) fn wait(&self, last: u32) -> u32 {
         loop {
             let steps = STEPS.load(Ordering::Relaxed);

@@ -46,8 +46,7 @@ impl Gdb {
     }
 
     pub(crate) fn write_word(&mut self, address: u32, value: u32) -> Result<()> {
-        let hex: String = value.to_le_bytes().iter().map(|byte| format!("{byte:02x}")).collect();
-        self.done(&format!("M{address:x},4:{hex}"))
+        self.done(&format!("M{address:x},4:{:08x}", value.swap_bytes()))
     }
 
     /// A register of the processor: 15 is the program counter.
@@ -130,7 +129,9 @@ impl Gdb {
                 byte => text.push(byte),
             }
         }
-        (self.byte()?, self.byte()?);
+        // the sum of what came
+        self.byte()?;
+        self.byte()?;
         Ok(String::from_utf8(text)?)
     }
 

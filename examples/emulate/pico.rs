@@ -102,6 +102,7 @@ pub(crate) fn run(path: &Path, plan: &Plan) -> Result<Run> {
 }
 
 /// The colours of pixels.
+#[allow(dead_code, reason = "tests compare the pixels themselves")]
 pub(crate) fn picture(shot: &[u16]) -> RgbImage {
     RgbImage::from_fn(SIDE, SIDE, |x, y| {
         let color = Rgb888::from(Rgb565::from(RawU16::new(shot[(y * SIDE + x) as usize])));

@@ -2,9 +2,9 @@
 //!
 //! | OLED (SSD0323, 128 × 64) | LM3S6965 |
 //! |---|---|
-//! | CLK | PA2 (SSI0Clk) |
+//! | CLK | PA2 (`SSI0Clk`) |
 //! | CS | PA3 |
-//! | DIN | PA5 (SSI0Tx) |
+//! | DIN | PA5 (`SSI0Tx`) |
 //! | D/C | PC7 |
 //!
 //! | joystick, low while pressed | LM3S6965 |

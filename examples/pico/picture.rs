@@ -16,6 +16,7 @@ const WIDTH: usize = SCREEN.width as usize;
 const HEIGHT: usize = SCREEN.height as usize;
 
 /// All pixels, black.
+#[allow(clippy::large_const_arrays, reason = "what a static starts as")]
 pub(crate) const BLACK: Rows = [[0; WIDTH]; HEIGHT];
 
 /// The pixels, 115 200 bytes.

@@ -51,7 +51,7 @@ impl Experiment {
     }
 
     /// The highest angular frequency of its springs, 1/s: neighbours that move against each other along a row stretch two links each by twice
-    /// their way, ω² = 4·k/m, and so do the diagonals, ω² = 4·k_shear/m.
+    /// their way, ω² = 4·k/m, and so do the diagonals, `ω² = 4·k_shear/m`.
     pub(crate) fn frequency(&self) -> f64 {
         (4.0 * 1.1 * self.stiffness / (self.mass() * self.hem.min(1.0))).sqrt()
     }

@@ -20,7 +20,7 @@ pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usi
 #[inline(always)]
 pub(crate) fn each_row<const DOWN: usize, const H: usize>(mut visit: impl FnMut(usize)) {
     for colour in 0..colours(DOWN) {
-        coloured::<DOWN>(colour, H, |row| visit(row));
+        coloured::<DOWN>(colour, H, &mut visit);
     }
 }
 

@@ -102,7 +102,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W,
                 in_row::<ACROSS, DOWN, W>(|a, b| self.join(node(a, 0), node(b, DOWN), &family.rest, part));
             } else {
                 in_row::<ACROSS, DOWN, W>(|a, b| {
-                    self.join_any(node(a, 0), node(b, DOWN), &family.rest, strength, part)
+                    self.join_any(node(a, 0), node(b, DOWN), &family.rest, strength, part);
                 });
             }
         });

@@ -19,7 +19,10 @@ fn a_moving_pin_arrives_where_it_was_told() {
             let x = rig.state().position[0];
             let off = (0..3).map(|k| (x[k] - target[k]).abs()).fold(0.0, f64::max);
             let name = S::NAME;
-            assert!(off < bound, "{name}, {substeps} substeps: {off:e} m off after frame {frame}, {x:?} not {target:?}");
+            assert!(
+                off < bound,
+                "{name}, {substeps} substeps: {off:e} m off after frame {frame}, {x:?} not {target:?}"
+            );
         }
     }
     for substeps in [1, 5, 8] {

@@ -40,7 +40,7 @@ impl Edge {
     #[inline(always)]
     fn near(d: [i32; 3], rest: &Rest<Fixed24<Short>>) -> Option<Self> {
         let square = rest.square.to_bits();
-        let near = if square >= ONE / 3 && square < 8 * ONE { square >> 1 } else { 0 };
+        let near = if (ONE / 3..8 * ONE).contains(&square) { square >> 1 } else { 0 };
         let d = each(d, |d| shift(d, FRACTION - EDGE));
         let [x, y, z] = each(d, |d| times(d, d));
         let e = x.wrapping_add(y).wrapping_add(z).wrapping_sub(square.wrapping_shl(2));
@@ -113,14 +113,14 @@ impl Kernel for Short {
     /// Right to 5·10⁻⁵.
     #[inline(always)]
     fn reciprocal(x: i32) -> i32 {
+        const START: u32 = (24 << 16) / 17;
+        const SLOPE: u32 = (8 << 16) / 17;
         // most are those of pivots, between 1 and 4
-        if x < ONE || x >= 4 * ONE {
+        if !(ONE..4 * ONE).contains(&x) {
             return far_reciprocal(x);
         }
         let exponent = x as u32 >> 25;
         // from here on as in [`newton::reciprocal`], m with 15 fraction bits, y with 16
-        const START: u32 = (24 << 16) / 17;
-        const SLOPE: u32 = (8 << 16) / 17;
         let m = (x >> 9 >> exponent) as u32;
         let mut y = START - ((m * SLOPE) >> 15);
         for _ in 0..2 {

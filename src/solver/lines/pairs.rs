@@ -49,7 +49,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             let mut none = [S::ZERO; W];
             let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
             let softness = self.softness([row; 2], [w, w], left::<ACROSS, S, W>);
-            let mut pull = self.pull::<START, W>(links.clone(), x, ahead::<ACROSS, S, W>(x), softness, tension, warm);
+            let mut pull = self.pull::<START, W>(links.clone(), x, ahead::<ACROSS, S, W>(x), &softness, tension, warm);
             without_last::<ACROSS, S, W>(&mut pull, tension);
             let before = behind::<ACROSS, S, W>(&pull);
             self.displace(cloth, row, |column| pull.at(column) - before(column));
@@ -71,7 +71,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             let mut none = [S::ZERO; W];
             let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
             let softness = self.softness([row, row + DOWN], [u, v], |v| *v);
-            let pull = self.pull::<START, W>(0..W, x, |column| y.at(column), softness, tension, warm);
+            let pull = self.pull::<START, W>(0..W, x, |column| y.at(column), &softness, tension, warm);
             self.displace(cloth, row, |column| pull.at(column));
             self.displace(cloth, row + DOWN, |column| -pull.at(column));
         }
@@ -101,11 +101,11 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
                 // to the right and down, to the left and down
                 let links = columns::<ACROSS, 0, W>();
                 let softness = self.softness([row, row + DOWN], [u, v], left::<ACROSS, S, W>);
-                let mut fall = self.pull::<START, W>(links, x, ahead::<ACROSS, S, W>(y), softness, falling, warm);
+                let mut fall = self.pull::<START, W>(links, x, ahead::<ACROSS, S, W>(y), &softness, falling, warm);
                 without_last::<ACROSS, S, W>(&mut fall, falling);
                 let links = columns::<0, ACROSS, W>();
                 let softness = self.softness([row, row + DOWN], [u, v], right::<ACROSS, S, W>);
-                let mut rise = self.pull::<START, W>(links, x, behind::<ACROSS, S, W>(y), softness, rising, warm);
+                let mut rise = self.pull::<START, W>(links, x, behind::<ACROSS, S, W>(y), &softness, rising, warm);
                 without_first::<ACROSS, S, W>(&mut rise, rising);
                 self.displace(cloth, row, |column| fall.at(column) + rise.at(column));
                 let (fall, rise) = (behind::<ACROSS, S, W>(&fall), ahead::<ACROSS, S, W>(&rise));
@@ -154,7 +154,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         links: Range<usize>,
         x: &Vec3<[S; W]>,
         y: impl Fn(usize) -> Vec3<S>,
-        softness: Softness<S, W>,
+        softness: &Softness<S, W>,
         tension: &mut [S; W],
         warm: S,
     ) -> Vec3<[S; W]> {
@@ -165,7 +165,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             let missing = |tension: S, excess: S| excess - tension.scaled(divisor);
             let changed = |tension: S, change: S| [change, tension + change];
             match softness {
-                Softness::Ordinary(softness) => self.each(links, x, y, tension, |_, tension, excess| {
+                &Softness::Ordinary(softness) => self.each(links, x, y, tension, |_, tension, excess| {
                     changed(tension, missing(tension, excess).scaled(softness))
                 }),
                 Softness::Any(softness) => self.each(links, x, y, tension, |column, tension, excess| {

@@ -2,7 +2,7 @@
 
 use crate::cloth::Cloth;
 use crate::grid::Grid;
-use crate::link::{Family, Links, Visitor};
+use crate::link::{Family, Links, Quotient, Visitor};
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::ordinary::Ordinary;
@@ -81,6 +81,9 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
     fn lines<const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
         let Some(tension) = self.tension.get_mut(slot) else { return };
         let strength = family.strength.scaled(self.softness);
+        // a taut row between two pins has no pivot but for this: of what a number can tell from nothing, a little is left
+        let least = S::from_f64(8.0 * S::RESOLUTION);
+        let strength = Quotient { divisor: strength.divisor.max(least), ..strength };
         let chain = Chain { rest: &family.rest, strength, moment: self.moment, ordinary: &self.ordinary };
         if const { DOWN == 0 } {
             let worst = chain.rows(self.cloth, tension);
