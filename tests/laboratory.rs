@@ -302,7 +302,7 @@ fn what_is_wrong_is_one_line() {
         (&["small.toml", "--substeps", "0"], "'--substeps <N,…>'"),
         (&["small.toml", "--substeps", "8,x"], "invalid value 'x' for '--substeps <N,…>'"),
         (&["small.toml", "--solvers", "magic"], "[possible values: verlet, "),
-        (&["small.toml", "--scalars", "f16"], "[possible values: f32, f64, q24]"),
+        (&["small.toml", "--scalars", "f16"], "[possible values: f32, f64, q24, q13]"),
         (&["small.toml", "--error", "0"], "must be finite and above zero"),
         (&["small.toml", "--seconds", "inf"], "must be finite and above zero"),
         (&["small.toml", "--work", "1", "--substeps", "2", "--cost", "operations"], "--work: leaves no configuration"),

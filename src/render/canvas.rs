@@ -258,8 +258,8 @@ impl<F: DrawTarget> DrawTarget for Canvas<F> {
     type Error = F::Error;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<F::Color>>>(&mut self, pixels: I) -> Result<(), F::Error> {
-        self.sent = false;
-        self.buffer.draw_iter(pixels)
+        let (bounds, sent) = (self.bounding_box(), &mut self.sent);
+        self.buffer.draw_iter(pixels.into_iter().inspect(|&Pixel(at, _)| *sent &= !bounds.contains(at)))
     }
 
     fn fill_contiguous<I: IntoIterator<Item = F::Color>>(
@@ -267,12 +267,12 @@ impl<F: DrawTarget> DrawTarget for Canvas<F> {
         area: &Rectangle,
         colors: I,
     ) -> Result<(), F::Error> {
-        self.sent = false;
+        self.sent &= beside(area, &self.buffer);
         self.buffer.fill_contiguous(area, colors)
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: F::Color) -> Result<(), F::Error> {
-        self.sent = false;
+        self.sent &= beside(area, &self.buffer);
         self.buffer.fill_solid(area, color)
     }
 
@@ -280,6 +280,12 @@ impl<F: DrawTarget> DrawTarget for Canvas<F> {
         self.sent = false;
         self.buffer.clear(color)
     }
+}
+
+/// Whether no pixel of an area lies on a target.
+#[inline]
+fn beside(area: &Rectangle, target: &impl Dimensions) -> bool {
+    area.intersection(&target.bounding_box()).is_zero_sized()
 }
 
 #[cfg(test)]

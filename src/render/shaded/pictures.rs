@@ -267,5 +267,5 @@ fn an_error_of_the_display_is_reported() {
 
 #[test]
 fn memory_is_as_documented() {
-    assert_eq!(size_of::<Shaded<(), 16, 16>>(), 4 * 256);
+    assert_eq!(size_of::<Shaded<(), 16, 16>>(), 16 * 256);
 }
