@@ -12,7 +12,7 @@ use kerchief::{
 };
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
-use proptest::test_runner::{FailurePersistence, FileFailurePersistence};
+use proptest::test_runner::{FailurePersistence, FileFailurePersistence, RngSeed};
 
 /// A number between two powers of ten.
 fn power(low: f64, high: f64) -> impl Strategy<Value = f64> {
@@ -83,13 +83,14 @@ fn torn() -> impl Strategy<Value = String> {
     })
 }
 
-/// Whether wind of the facet model, which grows with the area that it stretches, may pull harder than a sheet's springs: such a sheet has no bounds.
-fn inflates(scene: &Description) -> bool {
+/// Whether wind of the facet model, which does not weaken with the sheet's velocity and grows with the area that it stretches, carries the sheet away or pulls
+/// harder than its springs.
+fn is_unbounded(scene: &Description) -> bool {
     let speed = |wind: Wind| wind.velocity.iter().map(|v| v * v).sum::<f64>().sqrt();
     let facets = scene.wind.filter(|wind| wind.model == WindModel::Facet).map_or(0.0, speed);
     let [width, height] = [scene.sheet.width, scene.sheet.height];
     let stiffness = scene.stretch.map_or(0.0, |spring| spring.stiffness);
-    facets * width * height > 0.01 * stiffness * width.min(height)
+    facets > 0.0 && scene.sheet.pins.is_empty() || facets * width * height > 0.01 * stiffness * width.min(height)
 }
 
 /// Digests after some frames; none where the number type does not hold the scene.
@@ -107,13 +108,14 @@ fn played(scene: &Description, scalar: ScalarKind) -> Option<(u32, bool)> {
     Some((simulation.digest(), simulation.is_finite()))
 }
 
-/// As many cases as the environment asks for, or this many.
+/// As many cases as the environment asks for, others in every run; or this many, always the same.
 fn config(cases: u32) -> ProptestConfig {
     let asked = std::env::var_os("PROPTEST_CASES").is_some();
     let usual = ProptestConfig::default();
     let failure_persistence: Option<Box<dyn FailurePersistence>> =
         Some(Box::new(FileFailurePersistence::WithSource("regressions")));
-    ProptestConfig { cases: if asked { usual.cases } else { cases }, failure_persistence, ..usual }
+    let (cases, rng_seed) = if asked { (usual.cases, usual.rng_seed) } else { (cases, RngSeed::Fixed(1)) };
+    ProptestConfig { cases, rng_seed, failure_persistence, ..usual }
 }
 
 proptest! {
@@ -127,7 +129,7 @@ proptest! {
             for scalar in ScalarKind::ALL {
                 let once = played(&scene, scalar);
                 let holds = once.is_none_or(|(_, finite)| finite);
-                prop_assert!(holds || inflates(&scene), "{} in {}", kind.name(), scalar.name());
+                prop_assert!(holds || is_unbounded(&scene), "{} in {}", kind.name(), scalar.name());
                 prop_assert_eq!(once, played(&scene, scalar), "{} in {}", kind.name(), scalar.name());
             }
         }
@@ -144,6 +146,11 @@ proptest! {
             prop_assert!(!error.to_string().contains(char::is_control), "{error:?}");
         }
     }
+
+}
+
+proptest! {
+    #![proptest_config(config(100))]
 
     #[test]
     fn no_bits_of_a_state_panic(bits in proptest::collection::vec(any::<u32>(), 4 * 4 * 7 + 24)) {

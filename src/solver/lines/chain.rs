@@ -23,7 +23,7 @@ use crate::vectors::{SIDE_BY_SIDE, ahead, behind, columns};
 use super::{displace, displace_row};
 
 /// Columns that are solved side by side, where a machine computes several numbers at once: two of its vectors of `f32`.
-const LANES: usize = if SIDE_BY_SIDE { 8 } else { 1 };
+const LANES: usize = 8;
 
 /// Links of one kind.
 pub(super) struct Chain<'a, S, const W: usize, const H: usize> {
@@ -179,13 +179,16 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     #[inline(never)] // one for all scenes of a grid
     pub(super) fn columns(&self, cloth: &mut Cloth<S, W, H>, tension: &mut Grid<S, W, H>) {
         let mut column = 0;
-        while column + LANES <= W {
-            self.some::<LANES>(cloth, column, tension);
-            column += LANES;
-        }
-        while column + 4 <= W {
-            self.some::<4>(cloth, column, tension);
-            column += 4;
+        // where products depend on the masses of a column, every machine looks at one
+        if const { !skips_masses::<S>() } {
+            while column + LANES <= W {
+                self.some::<LANES>(cloth, column, tension);
+                column += LANES;
+            }
+            while column + 4 <= W {
+                self.some::<4>(cloth, column, tension);
+                column += 4;
+            }
         }
         while column < W {
             self.some::<1>(cloth, column, tension);
@@ -194,10 +197,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     }
 
     fn some<const N: usize>(&self, cloth: &mut Cloth<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) {
-        // those that are left over are few
-        if const { skips_masses::<S>() && N == LANES }
-            && self.ordinary.columns.iter().skip(first).take(N).all(|ordinary| *ordinary)
-        {
+        if const { skips_masses::<S>() } && self.ordinary.columns.iter().skip(first).take(N).all(|ordinary| *ordinary) {
             self.side_by_side::<N, true>(cloth, first, tension);
         } else {
             self.side_by_side::<N, false>(cloth, first, tension);
