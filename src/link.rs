@@ -22,6 +22,9 @@ pub use tether::Tether;
 
 /// A family of links, or none, or several.
 pub trait Links<S: Scalar> {
+    /// Whether there may be a spring: sweeps over none are skipped.
+    const SPRINGS: bool = true;
+
     /// Whether any link is damped.
     const DAMPED: bool = false;
 
@@ -105,12 +108,15 @@ impl<S: Scalar> Quotient<S> {
 }
 
 impl<S: Scalar> Links<S> for () {
+    const SPRINGS: bool = false;
+
     #[inline]
     fn fingerprint(&self, _print: &mut Fingerprint) {}
 }
 
 /// Links that are there or not, decided while the program runs.
 impl<S: Scalar, T: Links<S>> Links<S> for Option<T> {
+    const SPRINGS: bool = T::SPRINGS;
     const DAMPED: bool = T::DAMPED;
 
     #[inline]
@@ -146,6 +152,7 @@ impl<S: Scalar, T: Links<S>> Links<S> for Option<T> {
 macro_rules! tuple {
     ($($name:ident),+) => {
         impl<S: Scalar, $($name: Links<S>),+> Links<S> for ($($name,)+) {
+            const SPRINGS: bool = $($name::SPRINGS)||+;
             const DAMPED: bool = $($name::DAMPED)||+;
 
             #[inline]

@@ -27,6 +27,7 @@ impl<L, S: Scalar> StrainLimited<L, S> {
 }
 
 impl<S: Scalar, L: Links<S>> Links<S> for StrainLimited<L, S> {
+    const SPRINGS: bool = L::SPRINGS;
     const DAMPED: bool = L::DAMPED;
 
     #[inline]

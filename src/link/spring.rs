@@ -68,6 +68,7 @@ impl<L, S: Scalar> Damped<L, S> {
 }
 
 impl<S: Scalar, L: Links<S>> Links<S> for Damped<L, S> {
+    const SPRINGS: bool = L::SPRINGS;
     const DAMPED: bool = true;
 
     #[inline]

@@ -32,6 +32,8 @@ impl<S: Scalar, const N: usize> Tether<S, N> {
 }
 
 impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
+    const SPRINGS: bool = false;
+
     fn fingerprint(&self, print: &mut Fingerprint) {
         print.numbers(self.sides);
         self.anchors.iter().for_each(|anchor| print.word((anchor.row << 16 | anchor.column) as u32));

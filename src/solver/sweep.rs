@@ -19,6 +19,9 @@ pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     moment: Moment,
     parts: u32,
 ) {
+    if !L::SPRINGS {
+        return;
+    }
     let ordinary = Ordinary::new(cloth).rows;
     // sums in fixed point are exact: velocities that take part in every correction and those that are completed at the end are the same
     if !S::FLOATS {
