@@ -167,7 +167,7 @@ fn a_full_disk_leaves_what_was_there() {
             .unwrap();
         let stderr = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{kind}: {stderr}");
-        assert!(stderr.starts_with("error: ") && stderr.lines().count() == 1, "{kind}: {stderr:?}");
+        assert!(stderr.starts_with("error: out") && stderr.lines().count() == 1, "{kind}: {stderr:?}");
         assert!(contents(&room.join("out")) == before, "{kind}: something else is there");
     }
 }

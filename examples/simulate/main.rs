@@ -110,7 +110,9 @@ impl Positions {
         self.0.get_ref().named(result)
     }
 
-    fn finish(self) -> Result<(), String> {
+    fn finish(mut self) -> Result<(), String> {
+        let written = self.0.flush();
+        self.0.get_ref().named(written)?;
         self.0.into_inner().map_err(|error| error.to_string())?.finish()
     }
 }
