@@ -5,7 +5,6 @@
 mod digests;
 mod figures;
 mod image;
-mod machine;
 mod measure;
 mod report;
 mod rules;
@@ -16,6 +15,8 @@ mod bench;
 mod cases;
 #[path = "../../examples/emulate/firmware.rs"]
 mod firmware;
+#[path = "../../examples/emulate/machine.rs"]
+mod machine;
 #[path = "../digests/play.rs"]
 mod play;
 #[path = "../digests/setup.rs"]
