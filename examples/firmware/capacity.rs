@@ -87,11 +87,10 @@ macro_rules! play {
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    match option_env!("KERCHIEF_SCENE") {
-        Some("lines") => {
-            play!("the line solver": 24, 1, Lines, Lines::with_sweeps(1), <Lines as Solver<Q24>>::Memory::BLANK)
-        }
-        _ => play!("XPBD": 32, 8, Xpbd, Xpbd, ()),
+    if let Some("lines") = option_env!("KERCHIEF_SCENE") {
+        play!("the line solver": 24, 1, Lines, Lines::with_sweeps(1), <Lines as Solver<Q24>>::Memory::BLANK);
+    } else {
+        play!("XPBD": 32, 8, Xpbd, Xpbd, ());
     }
     hprintln!("end");
     debug::exit(debug::EXIT_SUCCESS);

@@ -2,6 +2,7 @@
 //!
 //! `UPDATE_INSTRUCTIONS=1 cargo test --test boards` writes the figures anew.
 
+mod capacity;
 mod digests;
 mod figures;
 mod image;
