@@ -1,10 +1,11 @@
-//! Runs a board's example in an emulator: its log appears here, its display in a file.
+//! Runs a board's example in an emulator: what it says appears here, its display in a file.
 //!
 //! ```sh
 //! cargo emulate oled --png oled.png
 //! ```
 #![allow(missing_docs, reason = "a program")]
 
+mod feather;
 mod film;
 mod firmware;
 mod gdb;
@@ -43,6 +44,8 @@ struct Arguments {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Board {
+    /// STM32F405, a table over the serial port, in QEMU
+    Feather,
     /// LM3S6965 evaluation board, OLED of 128 × 64 pixels, in QEMU
     Oled,
     /// Raspberry Pi Pico, LCD of 240 × 240 pixels, in rp2040js
@@ -62,6 +65,7 @@ fn main() -> ExitCode {
 
 fn run(arguments: &Arguments) -> Result<()> {
     match arguments.board {
+        Board::Feather => feather::run(|line| println!("{line}")),
         Board::Oled => run_oled(arguments),
         Board::Pico => run_pico(arguments),
     }
@@ -96,7 +100,7 @@ fn run_oled(arguments: &Arguments) -> Result<()> {
 
 fn run_pico(arguments: &Arguments) -> Result<()> {
     let shots = if arguments.gif.is_some() { (1..=arguments.steps as usize).collect() } else { Vec::new() };
-    let run = pico::run(&pico::build(), &pico::Plan { until: arguments.steps, shots, presses: Vec::new() })?;
+    let run = pico::run(&pico::build(), &pico::Plan { until: Some(arguments.steps), shots, presses: Vec::new() })?;
     run.log.iter().for_each(|line| println!("{line}"));
     let [used, size] = run.stack;
     println!("{used} of {size} bytes of stack were used");
@@ -107,7 +111,7 @@ fn run_pico(arguments: &Arguments) -> Result<()> {
         save(&photograph::photograph(&pico::picture(last), 2, 0), path)?;
     }
     if let Some(path) = &arguments.gif {
-        film::save(&run.shots, &run.steps, path)?;
+        film::save(&run.shots, &run.steps, pico::RATE, path)?;
     }
     Ok(())
 }

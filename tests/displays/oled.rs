@@ -5,6 +5,7 @@ use embedded_graphics::pixelcolor::{Gray4, GrayColor};
 use embedded_graphics_simulator::SimulatorDisplay;
 use kerchief::measure;
 
+use crate::figures::{self, Figures};
 use crate::oled_board::{MACHINE, build, greys};
 use crate::oled_show::{SCREEN, Show, Stick};
 use crate::qemu::Qemu;
@@ -37,6 +38,7 @@ fn the_oled_shows_what_a_host_computes() {
     let instructions = report.cycles.map(|cycles| cycles * INSTRUCTIONS_OF_A_CYCLE);
     println!("instructions to simulate, sort, fill, transfer: {instructions:?}");
     assert!(instructions.iter().sum::<u32>() <= GOAL, "{instructions:?}");
+    figures::check("oled", &Figures { parts: instructions, rate: report.rate });
 
     // to its rest, from which the joystick wakes it
     let mut step = 120;
