@@ -2,6 +2,7 @@
 
 mod feather;
 mod figures;
+mod microbit;
 mod oled;
 mod pico;
 mod report;
@@ -14,6 +15,12 @@ mod feather_board;
 mod firmware;
 #[path = "../../examples/emulate/gdb.rs"]
 mod gdb;
+#[path = "../../examples/microbit/leds.rs"]
+mod leds;
+#[path = "../../examples/emulate/microbit.rs"]
+mod microbit_board;
+#[path = "../../examples/microbit/show.rs"]
+mod microbit_show;
 #[path = "../../examples/emulate/oled.rs"]
 mod oled_board;
 #[path = "../../examples/oled/show.rs"]
