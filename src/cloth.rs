@@ -31,28 +31,47 @@ pub struct Cloth<S, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
+    /// Nothing but zeros: room in a `static` for a sheet that is [laid](Self::lay_here) or [hung](Self::hang_here) there, so that it is never on the stack.
+    pub const BLANK: Self = Self {
+        position: Vectors::filled(Vec3::ZERO),
+        velocity: Vectors::filled(Vec3::ZERO),
+        inverse_mass: Grid::filled(S::ZERO),
+    };
+
     /// A flat sheet in the x-y plane: particle (0, 0) at `origin`, columns along x, rows along y.
     pub fn lay(units: &Units, origin: Point) -> Self {
-        Self::spread(units, origin, |down| Vec3::new(S::ZERO, down, S::ZERO))
+        let mut cloth = Self::BLANK;
+        cloth.lay_here(units, origin);
+        cloth
     }
 
     /// An upright sheet in the x-z plane: row 0 on top, particle (0, 0) at `origin`.
     pub fn hang(units: &Units, origin: Point) -> Self {
-        Self::spread(units, origin, |down| Vec3::new(S::ZERO, S::ZERO, -down))
+        let mut cloth = Self::BLANK;
+        cloth.hang_here(units, origin);
+        cloth
     }
 
-    fn spread(units: &Units, origin: Point, down: impl Fn(S) -> Vec3<S>) -> Self {
-        let mut cloth = Self {
-            position: Vectors::filled(origin.to_vec()),
-            velocity: Vectors::filled(Vec3::ZERO),
-            inverse_mass: Grid::filled(S::ONE),
-        };
+    /// Makes a [flat sheet](Self::lay) of it, whatever it was: at rest, no pins.
+    pub fn lay_here(&mut self, units: &Units, origin: Point) {
+        self.spread(units, origin, |down| Vec3::new(S::ZERO, down, S::ZERO));
+    }
+
+    /// Makes an [upright sheet](Self::hang) of it, whatever it was: at rest, no pins.
+    pub fn hang_here(&mut self, units: &Units, origin: Point) {
+        self.spread(units, origin, |down| Vec3::new(S::ZERO, S::ZERO, -down));
+    }
+
+    fn spread(&mut self, units: &Units, origin: Point, down: impl Fn(S) -> Vec3<S>) {
         let [across, along] = units.sides.map(S::from_f64);
+        let origin = origin.to_vec();
         for node in Grid::<S, W, H>::nodes() {
             let place = down(along.times(node.row as i32));
-            cloth.position.add(node, place + Vec3::new(across.times(node.column as i32), S::ZERO, S::ZERO));
+            let place = origin + (place + Vec3::new(across.times(node.column as i32), S::ZERO, S::ZERO));
+            self.position.set(node, place);
+            self.velocity.set(node, Vec3::ZERO);
+            self.inverse_mass[node] = S::ONE;
         }
-        cloth
     }
 
     /// Makes border particles `factor` times as heavy as they are (`factor > 0`).

@@ -68,3 +68,13 @@ impl<T, const W: usize, const H: usize> IndexMut<Node> for Grid<T, W, H> {
         &mut self.0[node.row][node.column]
     }
 }
+
+/// Calls `visit` with every node. Unlike an iterator it is always inlined, so that no bound needs to be looked at.
+#[inline(always)]
+pub(crate) fn each_node<const W: usize, const H: usize>(mut visit: impl FnMut(Node)) {
+    for row in 0..H {
+        for column in 0..W {
+            visit(Node { column, row });
+        }
+    }
+}

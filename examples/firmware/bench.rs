@@ -3,9 +3,9 @@
 
 use kerchief::force::Force;
 use kerchief::{
-    AerodynamicWind, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, Gravity, Lines, Links, Node, Plane, Q13,
-    Q24, Resting, Scalar, Scene, Shear, Solver, Sphere, Stillness, StrainLimited, Stretch, Tether, Units, Vec3, Verlet,
-    Xpbd, measure,
+    AerodynamicWind, BackwardEuler, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, ForwardEuler, Gravity,
+    Leapfrog, Lines, Links, Node, Plane, Q13, Q24, Resting, Scalar, Scene, Shear, Solver, Sphere, Stillness,
+    StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
 };
 
 /// Particles a side.
@@ -118,6 +118,7 @@ fn play<S: Scalar, B: Bench>(bench: &mut B) {
     const MANY: Units = units(SWEEPS);
     const ONCE: Units = units(1);
     const FEW: Units = units(LINES.1);
+    const FINE: Units = units(32);
     let margin = MANY.length(0.2);
     let away = MANY.point([0.0, 20.0, -3.0]);
     let verlet = Verlet { sweeps: SWEEPS };
@@ -143,6 +144,9 @@ fn play<S: Scalar, B: Bench>(bench: &mut B) {
         "verlet, bare": ONCE, gravity(&ONCE), (), (), verlet;
         "verlet, stretch": ONCE, gravity(&ONCE), stretch(&ONCE), (), verlet;
         "verlet": ONCE, gravity(&ONCE), (stretch(&ONCE), shear(&ONCE)), (), verlet;
+        "forward Euler": FINE, gravity(&FINE), (stretch(&FINE), shear(&FINE)), (), ForwardEuler;
+        "leapfrog": FINE, gravity(&FINE), (stretch(&FINE), shear(&FINE)), (), Leapfrog;
+        "backward Euler": ONCE, gravity(&ONCE), (stretch(&ONCE), shear(&ONCE)), (), BackwardEuler { newton_steps: 1 };
         "lines": FEW, gravity(&FEW), (stretch(&FEW), shear(&FEW)), (), LINES.0;
         "xpbd, resting": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (), Resting::new(&MANY, NEVER, Xpbd);
         "xpbd, at rest": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (), Resting::new(&MANY, SOON, Xpbd);

@@ -1,7 +1,7 @@
 //! Counts the instructions that a board executes for a frame of each scene of `bench`, and prints a line `number; scene; instructions of a frame;
 //! bytes of the cloth; bytes of the solver's memory; digest`.
 //!
-//! It counts in QEMU: with `-icount shift=0` an instruction takes a nanosecond of the emulated time that `SysTick` reads.
+//! It counts in QEMU, with `-icount shift=0`.
 //!
 //! ```sh
 //! cargo --config boards/lm3s6965.toml run --profile board --features semihosting --target thumbv6m-none-eabi --example instructions
@@ -16,52 +16,21 @@
 compile_error!("this example is firmware: give a target");
 
 mod bench;
+mod clock;
 
 use core::hint::black_box;
 
 use bench::{Bench, SIDE, WARM_UP, counted};
-use cortex_m::peripheral::SYST;
-use cortex_m::peripheral::syst::SystClkSource;
+use clock::Clock;
 use cortex_m_semihosting::{debug, hprintln};
 use kerchief::force::Force;
 use kerchief::{Cloth, Collider, Links, Scalar, Scene, Solver, measure};
 use panic_semihosting as _;
 
-/// The length of the loop that sets the clock: `delay` executes two instructions for every two cycles that it is asked for.
-const LOOP: u32 = 10_000_000;
+/// A clock that meets scenes.
+struct Counter(Clock);
 
-/// A clock that counts instructions.
-struct Clock {
-    timer: SYST,
-    /// Instructions in a million ticks.
-    scale: u64,
-}
-
-impl Clock {
-    /// A clock that is set by a loop of known length.
-    fn new(mut timer: SYST) -> Self {
-        timer.set_clock_source(SystClkSource::Core);
-        timer.set_reload(0x00ff_ffff);
-        timer.clear_current();
-        timer.enable_counter();
-        let mut clock = Self { timer, scale: 0 };
-        let start = clock.ticks(|| cortex_m::asm::delay(0));
-        let ticks = clock.ticks(|| cortex_m::asm::delay(LOOP)) - start;
-        clock.scale = u64::from(LOOP) * 1_000_000 / u64::from(ticks);
-        clock
-    }
-
-    /// How long `work` takes: up to 2²⁴ ticks.
-    fn ticks(&mut self, work: impl FnOnce()) -> u32 {
-        self.timer.clear_current();
-        let start = SYST::get_current();
-        work();
-        assert!(!self.timer.has_wrapped(), "too long for the timer");
-        start.wrapping_sub(SYST::get_current()) & 0x00ff_ffff
-    }
-}
-
-impl Bench for Clock {
+impl Bench for Counter {
     const NUMBER: Option<&'static str> = option_env!("KERCHIEF_NUMBER");
     const SCENE: Option<&'static str> = option_env!("KERCHIEF_SCENE");
 
@@ -80,12 +49,13 @@ impl Bench for Clock {
             scene.step(&mut cloth, &mut memory);
         }
         let frames = counted(name);
-        let ticks = (0..frames).map(|_| u64::from(self.ticks(|| scene.step(&mut cloth, &mut memory)))).sum::<u64>();
+        let instructions =
+            (0..frames).map(|_| self.0.instructions(|| scene.step(&mut cloth, &mut memory))).sum::<u64>();
         hprintln!(
             "{}; {}; {}; {}; {}; {:08x}",
             S::NAME,
             name,
-            ticks * self.scale / (1_000_000 * u64::from(frames)),
+            instructions / u64::from(frames),
             size_of_val(&cloth),
             size_of_val(&memory),
             measure::digest(&cloth)
@@ -96,8 +66,7 @@ impl Bench for Clock {
 #[cortex_m_rt::entry]
 fn main() -> ! {
     if let Some(peripherals) = cortex_m::Peripherals::take() {
-        let mut clock = Clock::new(peripherals.SYST);
-        bench::play_all(&mut clock);
+        bench::play_all(&mut Counter(Clock::new(peripherals.SYST)));
         hprintln!("end");
     }
     debug::exit(debug::EXIT_SUCCESS);

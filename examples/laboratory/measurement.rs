@@ -21,6 +21,8 @@ pub(crate) struct Measurement {
     pub(crate) strain: f64,
     /// What the frames took.
     pub(crate) time: Duration,
+    /// Of the state at the end.
+    pub(crate) digest: u32,
 }
 
 impl Measurement {
@@ -33,7 +35,7 @@ impl Measurement {
         reference: Option<&Frames>,
     ) -> Result<Self, SceneError> {
         let mut moving = start(&configuration.of(scene), configuration.scalar)?;
-        let mut seen = Self { error: reference.map(|_| 0.0), strain: 0.0, time: Duration::ZERO };
+        let mut seen = Self { error: reference.map(|_| 0.0), strain: 0.0, time: Duration::ZERO, digest: 0 };
         let mut squares = 0.0;
         for frame in 0..frames {
             let begin = Instant::now();
@@ -53,6 +55,7 @@ impl Measurement {
                 return Ok(Self { error, strain: f64::INFINITY, ..seen });
             }
         }
+        seen.digest = moving.digest();
         seen.error = seen.error.map(|_| (squares / f64::from(frames)).sqrt() / size(scene));
         Ok(seen)
     }

@@ -4,6 +4,7 @@
 #![allow(dead_code)]
 
 pub(crate) mod configuration;
+pub(crate) mod front;
 pub(crate) mod measurement;
 pub(crate) mod page;
 pub(crate) mod plot;

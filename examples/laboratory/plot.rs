@@ -9,6 +9,7 @@ use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+use super::front::front;
 use super::page;
 
 /// Width and height of a plot, and the width of its legend, pixels.
@@ -87,6 +88,24 @@ pub(crate) struct Plot<'a> {
     pub(crate) axes: [Axis<'a>; 2],
     pub(crate) curves: Vec<Curve>,
     pub(crate) notes: Vec<String>,
+}
+
+impl Curve {
+    /// What no point of `(cost, error)` beats, broad and grey behind all others.
+    pub(crate) fn front(points: &[(f64, f64)]) -> Self {
+        let colour = RGBColor(205, 205, 205);
+        Self { name: "Pareto front".to_string(), colour, marker: Marker::None, width: 9, points: best(points) }
+    }
+
+    /// The front of one solver in one number type.
+    pub(crate) fn of(solver: SolverKind, scalar: ScalarKind, points: &[(f64, f64)]) -> Self {
+        let name = format!("{} {}", solver.name(), scalar.name());
+        Self { name, colour: colour(solver), marker: marker(scalar), width: 1, points: best(points) }
+    }
+}
+
+fn best(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    front(points).into_iter().map(|index| points[index]).collect()
 }
 
 impl Axis<'_> {

@@ -4,7 +4,6 @@ mod callgrind;
 #[path = "../console/mod.rs"]
 mod console;
 mod cost;
-mod front;
 #[path = "../laboratory/mod.rs"]
 mod laboratory;
 mod lean;

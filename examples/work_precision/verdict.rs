@@ -5,10 +5,10 @@ use std::path::Path;
 
 use kerchief::host::{ScalarKind, SolverKind};
 
-use crate::front::{best_within, cheapest, front};
 use crate::laboratory::configuration::Configuration;
+use crate::laboratory::front::{best_within, cheapest, front};
 use crate::laboratory::page::{Page, scientific, thousands};
-use crate::laboratory::plot::{Axis, Curve, Marker, Plot, colour, marker};
+use crate::laboratory::plot::{Axis, Curve, Plot};
 use crate::study::{Point, Study};
 
 /// What the reader wants.
@@ -207,23 +207,9 @@ impl Study {
     }
 
     fn plot(&self, quality: Quality, points: &[(f64, f64)]) -> Plot<'_> {
-        let mut curves = vec![Curve {
-            name: "Pareto front".to_string(),
-            colour: plotters::style::RGBColor(205, 205, 205),
-            marker: Marker::None,
-            width: 9,
-            points: front(points).into_iter().map(|index| points[index]).collect(),
-        }];
-        for (solver, scalar) in self.kinds() {
-            let own = self.own(points, solver, scalar);
-            curves.push(Curve {
-                name: format!("{} {}", solver.name(), scalar.name()),
-                colour: colour(solver),
-                marker: marker(scalar),
-                width: 1,
-                points: front(&own).into_iter().map(|index| own[index]).collect(),
-            });
-        }
+        let kinds = self.kinds().into_iter();
+        let own = kinds.map(|(solver, scalar)| Curve::of(solver, scalar, &self.own(points, solver, scalar)));
+        let mut curves: Vec<_> = std::iter::once(Curve::front(points)).chain(own).collect();
         curves.retain(|curve| !curve.points.is_empty());
         let lost = self.points.iter().filter(|point| point.seen.strain.is_infinite()).count();
         let mut notes = vec![

@@ -3,6 +3,7 @@
 mod exact;
 mod kernel;
 mod newton;
+mod product;
 mod short;
 
 use core::marker::PhantomData;
@@ -13,6 +14,7 @@ use fixed::types::I8F24;
 use super::wide::Wide;
 use super::{Rest, Scalar};
 use newton::inverse_root_wide;
+use product::{mixed, round, signed, unsigned};
 
 use exact::Exact;
 use kernel::Kernel;
@@ -122,12 +124,6 @@ impl<K: Kernel> SubAssign for Fixed24<K> {
     }
 }
 
-/// Drops 24 fraction bits, rounding to nearest.
-#[inline]
-const fn round(product: i64) -> i64 {
-    product.wrapping_add(1 << (FRACTION - 1)) >> FRACTION
-}
-
 /// What `change` makes of each component. (The standard library's `map` on arrays is not always inlined.)
 #[inline(always)]
 fn each<T, U>([x, y, z]: [T; 3], change: impl Fn(T) -> U) -> [U; 3] {
@@ -145,9 +141,27 @@ fn divide(a: i32, b: i32) -> i32 {
     // |b| = m·2^(7 − zeros) with 1 ≤ m < 2
     let zeros = b.unsigned_abs().leading_zeros();
     let inverse = newton::reciprocal(b.unsigned_abs() << zeros);
-    let quotient = i64::from(a) * i64::from(inverse);
+    let quotient = mixed(a, inverse);
     let quotient = saturate(((quotient >> (38 - zeros)) + 1) >> 1);
     if b < 0 { -quotient } else { quotient }
+}
+
+/// `a/b` with 24 fraction bits to one part in 2³⁰; `b ≠ 0`.
+#[inline(never)]
+fn quotient(a: u128, b: u128) -> i32 {
+    // of both numbers the first 32 digits
+    let [zeros_a, zeros_b] = [a, b].map(u128::leading_zeros);
+    if zeros_a == u128::BITS {
+        return 0;
+    }
+    let [a, b] = [a << zeros_a, b << zeros_b].map(|x| (x >> 96) as u32);
+    let product = unsigned(a, newton::reciprocal(b));
+    // 1/b has 63 fraction bits, the result 24
+    match 39 + zeros_a as i32 - zeros_b as i32 {
+        ..=32 => i32::MAX,
+        drop @ 33..=64 => (((product >> (drop - 1)) + 1) >> 1).min(i32::MAX as u64) as i32,
+        _ => 0,
+    }
 }
 
 /// The root of a sum of squares with 48 fraction bits.
@@ -159,7 +173,8 @@ fn root(x: u64) -> i32 {
     // √x = x · 1/√x, with the exponents kept apart so that nothing is lost
     let (y, e) = inverse_root_wide(x);
     let normal = x.leading_zeros();
-    let product = ((u128::from(x << normal) * u128::from(y)) >> 64) as u64;
+    let x = x << normal;
+    let product = (unsigned((x >> 32) as u32, y) + (unsigned(x as u32, y) >> 32)) >> 32;
     // x has 48 fraction bits and `normal` more, y has 31, the product 64 fewer, the result 24
     let drop = 48 + normal as i32 + 31 - 64 - FRACTION as i32 - e;
     let bits = if drop > 0 { ((product >> (drop - 1)) + 1) >> 1 } else { product << -drop };
@@ -229,7 +244,7 @@ impl<K: Kernel> Scalar for Fixed24<K> {
 
     #[inline]
     fn product(self, other: Self) -> Wide {
-        Wide::new(i64::from(self.to_bits()) * i64::from(other.to_bits()))
+        Wide::new(signed(self.to_bits(), other.to_bits()))
     }
 
     #[inline]
@@ -286,7 +301,7 @@ impl<K: Kernel> Scalar for Fixed24<K> {
 
     #[inline]
     fn round_times(self, factor: i32) -> i32 {
-        round(i64::from(self.to_bits()) * i64::from(factor)) as i32
+        round(signed(self.to_bits(), factor)) as i32
     }
 
     #[inline]
@@ -296,8 +311,8 @@ impl<K: Kernel> Scalar for Fixed24<K> {
 
     #[inline]
     fn quotient(dividend: i128, divisor: i128) -> Self {
-        let quotient = (dividend << FRACTION) / divisor;
-        Self::from_bits(quotient.clamp(-i128::from(i32::MAX), i128::from(i32::MAX)) as i32)
+        let quotient = quotient(dividend.unsigned_abs(), divisor.unsigned_abs());
+        Self::from_bits(if dividend < 0 { -quotient } else { quotient })
     }
 
     #[inline]
@@ -402,5 +417,21 @@ mod tests {
             assert!(error.abs() <= Q24::RESOLUTION, "{a:?} / {b:?}");
         }
         assert_eq!(Q24::ONE.divide(Q24::ZERO).to_bits(), i32::MAX);
+    }
+
+    #[test]
+    fn quotients_of_sums_are_right_to_nine_digits() {
+        let values = [1_i128, 3, 7_919, 1 << 24, 12_345_678_901, (1 << 48) + 1, (1 << 70) - 1, 1 << 100];
+        for a in values {
+            for b in values {
+                let expected = a as f64 / b as f64;
+                for (a, expected) in [(a, expected), (-a, -expected)] {
+                    let found = Q24::quotient(a, b).to_f64();
+                    let bound = Q24::RESOLUTION * 0.51 + expected.abs() * 2e-9;
+                    assert!((found - expected.clamp(-Q24::LARGEST, Q24::LARGEST)).abs() <= bound, "{a} / {b}: {found}");
+                }
+            }
+        }
+        assert_eq!(Q24::quotient(0, 5), Q24::ZERO);
     }
 }

@@ -14,7 +14,7 @@
 use crate::cloth::Cloth;
 use crate::collider::Collider;
 use crate::force::Force;
-use crate::grid::{Grid, Node};
+use crate::grid::{Node, each_node};
 use crate::link::{Family, Links, Visitor, each};
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -77,11 +77,11 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
         for _ in 0..self.newton_steps {
             system.residual(physics.links, cloth, memory, shift);
             system.conjugate_gradients(physics.links, cloth, memory);
-            for node in Grid::<S, W, H>::nodes() {
+            each_node::<W, H>(|node| {
                 let step = memory.step.at(node);
                 memory.correction.add(node, step);
                 cloth.displace(node, step, moment);
-            }
+            });
         }
         confine(physics, cloth, moment);
     }
@@ -116,12 +116,12 @@ impl<S: Scalar> System<S> {
         memory: &mut Memory<S, W, H>,
         shift: u32,
     ) {
-        for node in Grid::<S, W, H>::nodes() {
+        each_node::<W, H>(|node| {
             memory.residual.set(
                 node,
                 if cloth.is_pinned(node) { Vec3::ZERO } else { -(memory.correction.at(node) * self.mass(cloth, node)) },
             );
-        }
+        });
         links.springs(&mut Pull { system: self, cloth, residual: &mut memory.residual });
         if L::DAMPED {
             links.dampers(&mut Brake { system: self, cloth, residual: &mut memory.residual, shift });
@@ -136,12 +136,12 @@ impl<S: Scalar> System<S> {
         direction: &Vectors<S, W, H>,
         product: &mut Vectors<S, W, H>,
     ) {
-        for node in Grid::<S, W, H>::nodes() {
+        each_node::<W, H>(|node| {
             product.set(
                 node,
                 if cloth.is_pinned(node) { Vec3::ZERO } else { direction.at(node) * self.mass(cloth, node) },
             );
-        }
+        });
         links.springs(&mut Stiffness { system: self, cloth, direction, product });
         if L::DAMPED {
             links.dampers(&mut Viscosity { system: self, direction, product });
@@ -170,10 +170,10 @@ impl<S: Scalar> System<S> {
                 break;
             }
             let length = S::quotient(squared, curvature);
-            for node in Grid::<S, W, H>::nodes() {
+            each_node::<W, H>(|node| {
                 step.add(node, direction.at(node) * length);
                 residual.add(node, -(product.at(node) * length));
-            }
+            });
             let next = dot(residual, residual);
             if next <= floor || (!S::FLOATS && age > PATIENCE) || S::quotient(next, start) < tolerance {
                 break;
@@ -184,9 +184,9 @@ impl<S: Scalar> System<S> {
             }
             let turn = S::quotient(next, squared);
             squared = next;
-            for node in Grid::<S, W, H>::nodes() {
+            each_node::<W, H>(|node| {
                 direction.set(node, residual.at(node) + direction.at(node) * turn);
-            }
+            });
         }
     }
 }
@@ -202,11 +202,11 @@ fn round_off<S: Scalar, const W: usize, const H: usize>() -> S::Sum {
 }
 
 fn clear_pins<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, vector: &mut Vectors<S, W, H>) {
-    for node in Grid::<S, W, H>::nodes() {
+    each_node::<W, H>(|node| {
         if cloth.is_pinned(node) {
             vector.set(node, Vec3::ZERO);
         }
-    }
+    });
 }
 
 /// min(1, 1/κ) over all families; rigid links count as the stiffest that the number type resolves well.

@@ -92,6 +92,14 @@ pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
     history: History,
 }
 
+impl<S: Scalar, const W: usize, const H: usize, const N: usize> Memory<S, W, H, N> {
+    /// What a solver starts with: nothing but zeros.
+    pub const BLANK: Self = {
+        assert!(N >= 2, "the line solver remembers rows and columns at least");
+        Self { earlier: Vectors::filled(Vec3::ZERO), tension: [Grid::filled(S::ZERO); N], history: History::None }
+    };
+}
+
 /// What is known of the past.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum History {
@@ -109,8 +117,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
     type Memory<const W: usize, const H: usize> = Memory<S, W, H, N>;
 
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
-        const { assert!(N >= 2, "the line solver remembers rows and columns at least") };
-        Memory { earlier: Vectors::filled(Vec3::ZERO), tension: [Grid::filled(S::ZERO); N], history: History::None }
+        Memory::BLANK
     }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(

@@ -19,8 +19,6 @@ pub(crate) struct Figure {
     pub(crate) cloth: u64,
     /// Bytes of the solver's memory.
     pub(crate) memory: u64,
-    /// The routines and panics that its step calls on the Cortex-M0.
-    pub(crate) calls: String,
 }
 
 /// The processors of a [`Figure`].
@@ -71,9 +69,6 @@ pub(crate) fn differences(committed: &[Figure], found: &[Figure]) -> Vec<String>
                 let way = if is > was { "grew" } else { "shrank" };
                 differences.push(format!("{place}, {column}: {way} from {was} to {is}"));
             }
-        }
-        if old.calls != new.calls {
-            differences.push(format!("{place}: a step calls [{}] instead of [{}]", new.calls, old.calls));
         }
     }
     differences

@@ -2,10 +2,10 @@
 //!
 //! `UPDATE_INSTRUCTIONS=1 cargo test --test boards` writes the figures anew.
 
+mod capacity;
 mod digests;
 mod figures;
 mod image;
-mod machine;
 mod measure;
 mod report;
 mod rules;
@@ -16,6 +16,8 @@ mod bench;
 mod cases;
 #[path = "../../examples/emulate/firmware.rs"]
 mod firmware;
+#[path = "../../examples/emulate/machine.rs"]
+mod machine;
 #[path = "../digests/play.rs"]
 mod play;
 #[path = "../digests/setup.rs"]

@@ -99,9 +99,9 @@ fn linked(figure: Figure) -> Figure {
     let targets = [M0.target];
     let firmware = Firmware::measuring("footprint", &targets, only);
     let image = Image::read(&firmware.build()[M0.target]);
-    let calls = rules::check(&image, &figure.number, &figure.scene);
+    rules::check(&image, &figure.number, &figure.scene);
     assert_eq!(image.ram, 0, "{} in {} has variables of its own", figure.scene, figure.number);
-    Figure { flash: image.flash, calls, ..figure }
+    Figure { flash: image.flash, ..figure }
 }
 
 /// A scene as it moves here.

@@ -2,7 +2,8 @@
 
 use super::kernel::Kernel;
 use super::newton::inverse_root_wide;
-use super::{FRACTION, Fixed24, ONE, divide, each, root, round, saturate};
+use super::product::{self, round, signed, unsigned};
+use super::{FRACTION, Fixed24, ONE, divide, each, root, saturate};
 use crate::scalar::Rest;
 
 /// Products of 64 bits: every result is right to its last place or the one before.
@@ -12,13 +13,14 @@ pub struct Exact;
 /// `squares/L²` by 1/L², near one, with 48 fraction bits; it saturates at 2¹⁵, that is 181 rest lengths, where an elongation is 0.9945.
 #[inline]
 fn ratio(squares: u64, inverse_square: i32) -> u64 {
-    let inverse = inverse_square as u64;
-    if squares < 1 << 54 {
-        // the product needs up to 86 bits: its upper and its lower part apart
-        ((squares >> FRACTION) * inverse + (((squares & 0xff_ffff) * inverse) >> FRACTION)).max(1)
-    } else {
-        ((u128::from(squares) * u128::from(inverse)) >> FRACTION).min(u128::from(u64::MAX >> 1)) as u64
+    let inverse = inverse_square as u32;
+    // the product needs up to 95 bits: its upper and its lower part apart
+    let upper = unsigned((squares >> 32) as u32, inverse);
+    let lower = unsigned(squares as u32, inverse);
+    if upper >> 55 != 0 {
+        return u64::MAX >> 1;
     }
+    ((upper << 8) + (lower >> FRACTION)).clamp(1, u64::MAX >> 1)
 }
 
 /// `1/√ratio` with 24 fraction bits, rounded to nearest.
@@ -39,7 +41,7 @@ fn near_rest(squares: u64, inverse_square: i32) -> Option<i32> {
     if squares >> 51 != 0 {
         return None;
     }
-    let ratio = ((squares >> 19) * inverse_square as u64) >> FRACTION;
+    let ratio = unsigned((squares >> 19) as u32, inverse_square as u32) >> FRACTION;
     let e = (ratio as u32).wrapping_sub(1 << 29) as i32;
     (ratio >> 31 == 0 && -NEAR < e && e < NEAR).then_some(e)
 }
@@ -50,8 +52,7 @@ fn near_rest(squares: u64, inverse_square: i32) -> Option<i32> {
 /// coefficients have 24, 20, 16 and 12 of them, which they all fit, and the result has 28. Cut off, they leave an error of 0.1 units of the last place.
 #[inline(always)]
 fn series(e: i32, [c2, c3, c4]: [f64; 3]) -> i32 {
-    let e = i64::from(e << 7);
-    let times = |factor: i32| ((e * i64::from(factor)) >> 32) as i32;
+    let times = |factor: i32| (signed(e << 7, factor) >> 32) as i32;
     let c3 = (c3 * (1 << 16) as f64) as i32 - times((c4 * (1 << 12) as f64) as i32);
     let c2 = (c2 * (1 << 20) as f64) as i32 - times(c3);
     let result = times((1 << 23) - times(c2));
@@ -108,7 +109,7 @@ fn far_gauge(squares: u64, [length, inverse, inverse_square]: [i32; 3]) -> (i32,
 /// The scalar product in full width.
 #[inline(always)]
 pub(super) fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
-    let product = |k: usize| i64::from(a[k]) * i64::from(b[k]);
+    let product = |k: usize| signed(a[k], b[k]);
     product(0).wrapping_add(product(1)).wrapping_add(product(2))
 }
 
@@ -117,7 +118,7 @@ impl Kernel for Exact {
 
     #[inline]
     fn multiply(a: i32, b: i32) -> i32 {
-        round(i64::from(a) * i64::from(b)) as i32
+        product::rounded(a, b)
     }
 
     #[inline]

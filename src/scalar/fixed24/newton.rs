@@ -1,21 +1,23 @@
 //! Reciprocals and inverse roots by Newton's method: no division, no table.
 
+use super::product::{signed, unsigned};
+
 /// `1/√m` for `1 ≤ m < 4` with 30 fraction bits; the result lies in (½, 1] and has 31 fraction bits (1 is 2³¹).
 ///
 /// A straight line, at most 9 % off, and four steps of Newton's method for `y⁻² = m`, each of which turns the relative error ε
 /// into 1.5·ε²: 1.2e-2, 2.2e-4, 7e-8, < 2⁻³¹. No division, no table.
 #[inline]
 fn inverse_root(m: u32) -> u32 {
-    const START: u64 = (1.07 * (1_u64 << 31) as f64) as u64;
-    const SLOPE: u64 = (0.153 * (1_u64 << 32) as f64) as u64;
-    let m = u64::from(m);
-    let mut y = START - ((m * SLOPE) >> 31);
+    const START: u32 = (1.07 * (1_u64 << 31) as f64) as u32;
+    const SLOPE: u32 = (0.153 * (1_u64 << 32) as f64) as u32;
+    let mut y = START - (unsigned(m, SLOPE) >> 31) as u32;
     for _ in 0..4 {
-        let square = (y * y) >> 31;
-        let defect = (3_u64 << 31) - ((square * m) >> 30);
-        y = (y * defect) >> 32;
+        let square = (unsigned(y, y) >> 31) as u32;
+        // (3 − y²·m)/2 = 1 + defect, which is small
+        let defect = (1_u32 << 31).wrapping_sub((unsigned(square, m) >> 30) as u32) as i32;
+        y = y.wrapping_add((signed((y >> 1) as i32, defect) >> 31) as u32);
     }
-    y.min(1 << 31) as u32
+    y.min(1 << 31)
 }
 
 /// `(y, e)` with `1/√x = y · 2^e`, where `y` has 31 fraction bits and lies in (½, 1]; `x > 0` with 48 fraction bits.
@@ -34,13 +36,12 @@ pub(super) fn inverse_root_wide(x: u64) -> (u32, i32) {
 #[inline]
 pub(super) fn reciprocal(m: u32) -> u32 {
     const START: u32 = (24.0 / 17.0 * (1_u64 << 32) as f64 - (1_u64 << 32) as f64) as u32;
-    const SLOPE: u64 = (8.0 / 17.0 * (1_u64 << 32) as f64) as u64;
-    let mut y = START.wrapping_sub(((u64::from(m) * SLOPE) >> 31) as u32);
+    const SLOPE: u32 = (8.0 / 17.0 * (1_u64 << 32) as f64) as u32;
+    let mut y = START.wrapping_sub((unsigned(m, SLOPE) >> 31) as u32);
     for _ in 0..3 {
         // near nothing, so that its lower word is all of it
-        let defect = ((u64::from(m) * u64::from(y)) >> 31) as u32;
-        let defect = i64::from(defect.wrapping_neg() as i32);
-        y = y.wrapping_add(((i64::from(y >> 1) * defect) >> 31) as u32);
+        let defect = ((unsigned(m, y) >> 31) as u32).wrapping_neg() as i32;
+        y = y.wrapping_add((signed((y >> 1) as i32, defect) >> 31) as u32);
     }
     y
 }

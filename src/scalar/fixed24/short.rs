@@ -2,7 +2,7 @@
 
 use super::exact::{self, dot};
 use super::kernel::Kernel;
-use super::{FRACTION, Fixed24, ONE, divide, each};
+use super::{FRACTION, Fixed24, ONE, divide, each, product};
 use crate::scalar::Rest;
 
 /// Edges of 13 fraction bits, products of 32 bits: links are measured to 6·10⁻⁵ cells.
@@ -80,27 +80,12 @@ fn far_reciprocal(x: i32) -> i32 {
     divide(ONE, x)
 }
 
-/// Whether the machine multiplies to 64 bits. (Rust can't be asked for that; of the machines with the Thumb instructions it is those with atomics.)
-const WIDE: bool = cfg!(not(target_arch = "arm")) || cfg!(target_has_atomic = "32");
-
-/// The product of two numbers, by parts of 16 bits: a third of the instructions of a product of 64.
-#[inline(always)]
-const fn by_parts(a: i32, b: i32) -> i32 {
-    let [low_a, low_b] = [a & 0xffff, b & 0xffff];
-    let [high_a, high_b] = [a >> 16, b >> 16];
-    let low = times(low_a, low_b) as u32 >> 16;
-    let middle = times(high_a, low_b).wrapping_add(low as i32);
-    let lower = times(low_a, high_b).wrapping_add(middle & 0xffff);
-    let high = times(high_a, high_b).wrapping_add(middle >> 16);
-    high.wrapping_shl(8).wrapping_add(shift(lower, 8))
-}
-
 impl Kernel for Short {
     const NAME: &'static str = "q13";
 
     #[inline(always)]
     fn multiply(a: i32, b: i32) -> i32 {
-        if WIDE { exact::Exact::multiply(a, b) } else { by_parts(a, b) }
+        product::rounded(a, b)
     }
 
     /// To 14 fraction bits of the ratio: two products, where [`multiply`](Self::multiply) has four.
@@ -174,18 +159,6 @@ mod tests {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (state >> 32) as i32 >> (k % 32)
         })
-    }
-
-    #[test]
-    fn products_by_parts_are_the_products() {
-        for (a, b) in some(40_000).zip(some(50_001).skip(10_001)) {
-            assert_eq!(by_parts(a, b), exact::Exact::multiply(a, b), "{a} · {b}");
-        }
-        for a in [i32::MIN, -1, 0, 1, i32::MAX] {
-            for b in [i32::MIN, -ONE, -1, 0, 1, ONE, i32::MAX] {
-                assert_eq!(by_parts(a, b), exact::Exact::multiply(a, b), "{a} · {b}");
-            }
-        }
     }
 
     #[test]

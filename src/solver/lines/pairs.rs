@@ -130,8 +130,16 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         let mut softness = shifted(v);
         for column in 0..W {
             let inverse_mass = u[column] + softness[column];
-            let inverse = (inverse_mass * dividend + divisor).recip();
-            softness[column] = if inverse_mass == S::ZERO { S::ZERO } else { inverse };
+            let against = inverse_mass * dividend + divisor;
+            // between two pins nothing gives
+            let stuck = inverse_mass == S::ZERO;
+            softness[column] = if S::FLOATS {
+                if stuck { S::from_f64(f64::INFINITY) } else { against }
+            } else if stuck {
+                S::ZERO
+            } else {
+                against.recip()
+            };
         }
         Softness::Any(softness)
     }
@@ -169,7 +177,11 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
                     changed(tension, missing(tension, excess).scaled(softness))
                 }),
                 Softness::Any(softness) => self.each(links, x, y, tension, |column, tension, excess| {
-                    changed(tension, missing(tension, excess) * softness[column])
+                    let missing = missing(tension, excess);
+                    changed(
+                        tension,
+                        if S::FLOATS { missing.divide(softness[column]) } else { missing * softness[column] },
+                    )
                 }),
             }
         }
@@ -201,6 +213,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
 enum Softness<S, const W: usize> {
     /// The same everywhere: all particles have mass 1.
     Ordinary(S),
+    /// Of each link; its reciprocal where numbers float, whose division is one operation.
     Any([S; W]),
 }
 

@@ -1,5 +1,8 @@
 //! The machines that firmware runs on: a board in an emulator that others wrote, with one processor after the other, and a virtual machine.
 
+// Each program takes what it needs.
+#![allow(dead_code)]
+
 use std::path::Path;
 use std::process::Command;
 

@@ -1,0 +1,144 @@
+//! What a frame costs on a board, and how wrong the same frames are.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use kerchief::host::{Description, ScalarKind};
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::firmware::Firmware;
+use crate::laboratory::configuration::Configuration;
+use crate::laboratory::measurement::Measurement;
+use crate::laboratory::page::scientific;
+use crate::laboratory::reference::Reference;
+use crate::laboratory::scenes::named;
+use crate::machine::{M0, M3, M4F, Machine};
+
+/// The scene that the firmware plays.
+pub(crate) const SCENE: &str = "two-corners-16";
+/// How close the reference has to come to its limit, sheet sizes.
+const CONVERGED: f64 = 2e-6;
+
+/// A processor on the board that takes all of them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Board {
+    machine: Machine,
+    /// In file names.
+    pub(crate) short: &'static str,
+}
+
+pub(crate) const BOARDS: [Board; 3] =
+    [Board { machine: M0, short: "m0" }, Board { machine: M3, short: "m3" }, Board { machine: M4F, short: "m4f" }];
+
+/// What a setting costs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cost {
+    board: Board,
+    configuration: Configuration,
+    /// Instructions of a frame of the whole sheet.
+    instructions: f64,
+    /// Of the sheet after the last frame.
+    digest: u32,
+}
+
+/// What a setting costs and how wrong it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Point {
+    pub(crate) board: Board,
+    pub(crate) configuration: Configuration,
+    pub(crate) instructions: f64,
+    pub(crate) error: f64,
+    strain: f64,
+}
+
+/// Says which tool is missing.
+pub(crate) fn tools() -> Result<(), String> {
+    for (tool, package) in
+        [("rustup", "see https://rustup.rs"), ("qemu-system-arm", "Debian's package qemu-system-arm")]
+    {
+        let found = Command::new(tool).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+        if !found.is_ok_and(|status| status.success()) {
+            return Err(format!("{tool} is not there ({package})"));
+        }
+    }
+    Ok(())
+}
+
+/// The programs of a number type, by target. A small flash doesn't hold all number types.
+pub(crate) fn programs(number: ScalarKind, room: &Path) -> Result<BTreeMap<String, PathBuf>, String> {
+    let targets = BOARDS.map(|board| board.machine.target);
+    let built = Firmware::measuring("precision", &targets, [Some(number.name()), None]).build();
+    let keep = |(target, program): (String, PathBuf)| {
+        let copy = room.join(format!("{}-{target}", number.name()));
+        std::fs::copy(&program, &copy).map_err(|error| format!("{}: {error}", copy.display()))?;
+        Ok((target, copy))
+    };
+    built.into_iter().map(keep).collect()
+}
+
+impl Board {
+    pub(crate) fn name(&self) -> &'static str {
+        self.machine.name
+    }
+
+    /// What every setting of a number type costs.
+    pub(crate) fn costs(self, programs: &BTreeMap<String, PathBuf>) -> Result<Vec<Cost>, String> {
+        let printed = self.machine.run_counted(&programs[self.machine.target]);
+        let cost = |line: &str| {
+            let mut fields = line.split("; ");
+            let words: Vec<_> = fields.next()?.split(' ').map(str::to_owned).collect();
+            Some(Cost {
+                board: self,
+                configuration: Configuration::from_words(&words)?,
+                instructions: fields.next()?.parse().ok()?,
+                digest: u32::from_str_radix(fields.next()?, 16).ok()?,
+            })
+        };
+        printed.lines().map(|line| cost(line).ok_or_else(|| format!("{} prints {line:?}", self.name()))).collect()
+    }
+}
+
+/// How wrong the settings are, seen on the host, where the sheets are the same to the last bit.
+pub(crate) fn errors(costs: &[Cost], cache: &Path) -> Result<Vec<Point>, String> {
+    let text = named().into_iter().find(|scene| scene.name == SCENE).expect("a scene of the laboratory").text;
+    let scene = Description::parse(text).map_err(|error| error.to_string())?;
+    let start = |scene: &Description, scalar| scene.simulation(scalar);
+    let reference = Reference::of(start, text, &scene, scene.frames, CONVERGED, cache)?;
+    let point = |cost: &Cost| {
+        let Cost { board, configuration, instructions, digest } = *cost;
+        let seen = Measurement::of(start, &scene, configuration, scene.frames, Some(&reference.positions))
+            .map_err(|error| error.to_string())?;
+        if seen.strain.is_finite() && seen.digest != digest {
+            return Err(format!("{configuration}: {} moves the sheet otherwise than this machine", board.name()));
+        }
+        let error = seen.error.unwrap_or(f64::NAN);
+        Ok(Point { board, configuration, instructions, error, strain: seen.strain })
+    };
+    costs.par_iter().map(point).collect()
+}
+
+/// A line of the table of all points.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Row {
+    processor: &'static str,
+    solver: &'static str,
+    scalar: &'static str,
+    substeps: u32,
+    sweeps: u32,
+    tolerance: Option<f64>,
+    instructions: f64,
+    error: String,
+    strain: String,
+}
+
+impl Point {
+    pub(crate) fn row(&self) -> Row {
+        let Configuration { solver, scalar, substeps, sweeps, tolerance } = self.configuration;
+        let [error, strain] = [self.error, self.strain].map(scientific);
+        let (solver, scalar) = (solver.name(), scalar.name());
+        let processor = self.board.name();
+        Row { processor, solver, scalar, substeps, sweeps, tolerance, instructions: self.instructions, error, strain }
+    }
+}

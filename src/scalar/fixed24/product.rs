@@ -1,0 +1,109 @@
+//! Products of 32-bit numbers in 64 bits.
+//!
+//! Most machines have an instruction for them. A Cortex-M0 keeps the lower 32 bits of a product alone and would call a routine for products of 64 by 64; from
+//! halves of 16 bits it takes four products and half the time.
+
+use super::FRACTION;
+
+/// Whether the machine multiplies to 64 bits. (Rust can't be asked for that; of the machines with the Thumb instructions it is those with atomics.)
+const WIDE: bool = cfg!(not(target_arch = "arm")) || cfg!(target_has_atomic = "32");
+
+/// `a·b`
+#[inline(always)]
+pub(super) const fn unsigned(a: u32, b: u32) -> u64 {
+    if WIDE { a as u64 * b as u64 } else { unsigned_by_halves(a, b) }
+}
+
+/// `a·b`
+#[inline(always)]
+pub(super) const fn signed(a: i32, b: i32) -> i64 {
+    if WIDE { a as i64 * b as i64 } else { signed_by_halves(a, b) }
+}
+
+/// `a·b`
+#[inline(always)]
+pub(super) const fn mixed(a: i32, b: u32) -> i64 {
+    if WIDE { a as i64 * b as i64 } else { mixed_by_halves(a, b) }
+}
+
+/// `a·b` for numbers with 24 fraction bits, rounded to nearest; it wraps.
+#[inline(always)]
+pub(super) const fn rounded(a: i32, b: i32) -> i32 {
+    if WIDE { round(a as i64 * b as i64) as i32 } else { rounded_by_halves(a, b) }
+}
+
+/// Drops 24 fraction bits, rounding to nearest.
+#[inline(always)]
+pub(super) const fn round(product: i64) -> i64 {
+    product.wrapping_add(1 << (FRACTION - 1)) >> FRACTION
+}
+
+// No sum below overflows: (2¹⁶ − 1)² + 2·(2¹⁶ − 1) < 2³² without sign, and with one 2¹⁵·(2¹⁶ − 1) + 2¹⁶ < 2³¹. The highest parts wrap, as the product may.
+
+#[inline(always)]
+const fn unsigned_by_halves(a: u32, b: u32) -> u64 {
+    let [low_a, low_b, high_a, high_b] = [a & 0xffff, b & 0xffff, a >> 16, b >> 16];
+    let low = low_a.wrapping_mul(low_b);
+    let middle = high_a.wrapping_mul(low_b).wrapping_add(low >> 16);
+    let lower = low_a.wrapping_mul(high_b).wrapping_add(middle & 0xffff);
+    let high = high_a.wrapping_mul(high_b).wrapping_add(middle >> 16).wrapping_add(lower >> 16);
+    (high as u64) << 32 | (lower << 16 | low & 0xffff) as u64
+}
+
+#[inline(always)]
+const fn signed_by_halves(a: i32, b: i32) -> i64 {
+    let [low_a, low_b, high_a, high_b] = [a & 0xffff, b & 0xffff, a >> 16, b >> 16];
+    let low = low_a.wrapping_mul(low_b) as u32;
+    let middle = high_a.wrapping_mul(low_b).wrapping_add((low >> 16) as i32);
+    let lower = low_a.wrapping_mul(high_b).wrapping_add(middle & 0xffff);
+    let high = high_a.wrapping_mul(high_b).wrapping_add(middle >> 16).wrapping_add(lower >> 16);
+    (high as i64) << 32 | ((lower as u32) << 16 | low & 0xffff) as i64
+}
+
+#[inline(always)]
+const fn mixed_by_halves(a: i32, b: u32) -> i64 {
+    // a = (a + 2³²) − 2³² where it is negative
+    let product = unsigned_by_halves(a as u32, b);
+    product.wrapping_sub(((b & (a >> 31) as u32) as u64) << 32) as i64
+}
+
+/// Without the lowest bits, which rounding drops.
+#[inline(always)]
+const fn rounded_by_halves(a: i32, b: i32) -> i32 {
+    let [low_a, low_b, high_a, high_b] = [a & 0xffff, b & 0xffff, a >> 16, b >> 16];
+    let low = low_a.wrapping_mul(low_b) as u32 >> 16;
+    let middle = high_a.wrapping_mul(low_b).wrapping_add(low as i32);
+    let lower = low_a.wrapping_mul(high_b).wrapping_add(middle & 0xffff);
+    let high = high_a.wrapping_mul(high_b).wrapping_add(middle >> 16);
+    high.wrapping_shl(8).wrapping_add(lower.wrapping_add(1 << 7) >> 8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bits of all magnitudes and both signs, and all corners.
+    fn some() -> impl Iterator<Item = (i32, i32)> {
+        let mut state = 1_u64;
+        let mut next = move |k: usize| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 32) as i32 >> (k % 32)
+        };
+        let corners = [i32::MIN, i32::MIN + 1, -0x1_0000, -0xffff, -1, 0, 1, 0x8000, 0xffff, 0x1_0000, i32::MAX];
+        corners
+            .into_iter()
+            .flat_map(move |a| corners.map(|b| (a, b)))
+            .chain((0..100_000).map(move |k| (next(k), next(k / 32))))
+    }
+
+    #[test]
+    fn products_by_halves_are_the_products() {
+        for (a, b) in some() {
+            let [u, v] = [a, b].map(|x| x as u32);
+            assert_eq!(unsigned_by_halves(u, v), u64::from(u) * u64::from(v), "{u} · {v}");
+            assert_eq!(signed_by_halves(a, b), i64::from(a) * i64::from(b), "{a} · {b}");
+            assert_eq!(mixed_by_halves(a, v), i64::from(a) * i64::from(v), "{a} · {v}");
+            assert_eq!(rounded_by_halves(a, b), round(i64::from(a) * i64::from(b)) as i32, "{a} · {b}");
+        }
+    }
+}
