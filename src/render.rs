@@ -51,6 +51,7 @@ pub mod ground;
 pub mod light;
 pub mod look;
 pub mod pattern;
+mod quotient;
 pub mod shaded;
 pub mod shadow;
 pub mod solid;

@@ -25,15 +25,30 @@ pub(crate) struct Meter {
 }
 
 impl Meter {
-    /// Logs the means, and starts anew.
-    pub(crate) fn log(&mut self, step: u32, dropped: u32, digest: u32) {
+    /// Adds a picture, by the cycles at its start, when the sheet was moved, when it was drawn and when it was sent, and those for which faces were put in order.
+    pub(crate) fn add(&mut self, [start, simulated, drawn, sent]: [u32; 4], sort: u32) {
+        self.simulate += simulated.wrapping_sub(start);
+        self.sort += sort;
+        self.fill += drawn.wrapping_sub(simulated) - sort;
+        self.transfer += sent.wrapping_sub(drawn);
+        self.pictures += 1;
+    }
+
+    /// Pictures in a second of `frequency` cycles, since `gone` cycles.
+    pub(crate) fn rate(&self, frequency: u32, gone: u32) -> u32 {
+        (u64::from(self.pictures) * u64::from(frequency) / u64::from(gone.max(1))) as u32
+    }
+
+    /// Logs the means, and starts anew. `rate` is of pictures, in a second.
+    pub(crate) fn log(&mut self, step: u32, rate: u32, dropped: u32, digest: u32) {
         let Self { simulate, sort, fill, transfer, pictures } = core::mem::take(self);
         let mean = |cycles: u32| cycles / pictures.max(1);
         defmt::info!(
-            "step {=u32}, digest {=u32:08x}, pictures {=u32}, dropped {=u32}, cycles {=u32} {=u32} {=u32} {=u32}",
+            "step {=u32}, digest {=u32:08x}, pictures {=u32}, rate {=u32}, dropped {=u32}, cycles {=u32} {=u32} {=u32} {=u32}",
             step,
             digest,
             pictures,
+            rate,
             dropped,
             mean(simulate),
             mean(sort),
@@ -48,12 +63,20 @@ pub(crate) struct Lap<'a, D> {
     target: &'a mut D,
     clock: &'a Clock,
     /// Cycles at the first drawing.
-    pub(crate) first: Option<u32>,
+    first: Option<u32>,
 }
 
 impl<'a, D> Lap<'a, D> {
-    pub(crate) fn new(target: &'a mut D, clock: &'a Clock) -> Self {
-        Self { target, clock, first: None }
+    /// Draws on a target, and says for how many cycles faces were put in order.
+    pub(crate) fn time(
+        target: &'a mut D,
+        clock: &'a Clock,
+        draw: impl FnOnce(&mut Self) -> Result<(), Infallible>,
+    ) -> u32 {
+        let start = clock.cycles();
+        let mut lap = Self { target, clock, first: None };
+        let Ok(()) = draw(&mut lap);
+        lap.first.map_or(0, |first| first.wrapping_sub(start))
     }
 
     fn note(&mut self) {
@@ -82,4 +105,10 @@ impl<D: DrawTarget<Error = Infallible>> DrawTarget for Lap<'_, D> {
         self.note();
         self.target.fill_solid(area, color)
     }
+}
+
+/// Where an emulator stops to look at the display.
+#[inline(never)]
+pub(crate) extern "C" fn shown(step: u32) {
+    core::hint::black_box(step);
 }

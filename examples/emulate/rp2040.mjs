@@ -128,7 +128,8 @@ function drain() {
 
 function advance() {
     if (core.waiting) clock.tick(clock.nanosToNextAlarm);
-    else clock.tick(core.executeInstruction() * NANOSECONDS_OF_A_CYCLE);
+    // an interrupt is taken where the next instruction would be
+    if (!core.waiting || core.interruptsUpdated) clock.tick(core.executeInstruction() * NANOSECONDS_OF_A_CYCLE);
 }
 
 const steps = [];

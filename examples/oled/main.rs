@@ -37,10 +37,6 @@ mod clock;
 mod meter;
 #[path = "../boards/pace.rs"]
 mod pace;
-#[path = "../boards/still.rs"]
-mod still;
-
-use core::convert::Infallible;
 
 use board::{Board, FREQUENCY};
 use clock::Clock;
@@ -50,7 +46,7 @@ use embedded_graphics::pixelcolor::{Gray4, GrayColor};
 use embedded_hal_bus::spi::ExclusiveDevice;
 use kerchief::measure;
 use kerchief::render::Canvas;
-use meter::{Lap, Meter};
+use meter::{Lap, Meter, shown};
 use pace::Pace;
 use panic_probe as _;
 use picture::Picture;
@@ -79,6 +75,7 @@ fn main() -> ! {
     let mut pace = Pace::new(2);
     let mut meter = Meter::default();
     let (mut now, mut step, mut first) = (0, 0, true);
+    let mut logged = clock.cycles();
     loop {
         now = clock.wait(now);
         let start = clock.cycles();
@@ -92,34 +89,18 @@ fn main() -> ! {
             continue;
         }
         let simulated = clock.cycles();
-        let Ok(sort) = draw(show, canvas, &clock);
+        let Ok(()) = canvas.erase(Gray4::BLACK);
+        let Ok(()) = show.draw_rod(canvas);
+        let sort = Lap::time(canvas, &clock, |lap| show.draw(lap));
         let drawn = clock.cycles();
         let Ok(()) = canvas.send(|picture, area| display.send(picture.bytes(), area));
         let sent = clock.cycles();
-        meter.simulate += simulated.wrapping_sub(start);
-        meter.sort += sort;
-        meter.fill += drawn.wrapping_sub(simulated) - sort;
-        meter.transfer += sent.wrapping_sub(drawn);
-        meter.pictures += 1;
+        meter.add([start, simulated, drawn, sent], sort);
         if step % LOGGED < due {
-            meter.log(step, pace.dropped, measure::digest(&show.cloth));
+            let gone = clock.cycles().wrapping_sub(logged);
+            logged = logged.wrapping_add(gone);
+            meter.log(step, meter.rate(FREQUENCY, gone), pace.dropped, measure::digest(&show.cloth));
         }
         shown(step);
     }
-}
-
-/// Draws a picture, and says for how many cycles faces were put in order.
-fn draw(show: &mut Show, canvas: &mut Canvas<Picture>, clock: &Clock) -> Result<u32, Infallible> {
-    canvas.erase(Gray4::BLACK)?;
-    show.draw_rod(canvas)?;
-    let start = clock.cycles();
-    let mut lap = Lap::new(canvas, clock);
-    show.draw(&mut lap)?;
-    Ok(lap.first.map_or(0, |first| first.wrapping_sub(start)))
-}
-
-/// Where an emulator stops to look at the display.
-#[inline(never)]
-extern "C" fn shown(step: u32) {
-    core::hint::black_box(step);
 }

@@ -5,9 +5,9 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Line, PrimitiveStyle};
 use kerchief::render::pattern::{CELL, Pattern, Place};
 use kerchief::render::{Camera, Finish, Light, Look, Shade, Shaded, View};
-use kerchief::{Cloth, Drag, Gravity, Node, Q13, Scalar, Scene, Shear, Stretch, Units, Vec3, Xpbd};
-
-use crate::still::Rest;
+use kerchief::{
+    Cloth, Drag, Gravity, Node, Q13, Resting, Scalar, Scene, Shear, Solver, Stillness, Stretch, Units, Vec3, Xpbd,
+};
 
 /// Particles a side.
 const SIDE: usize = 16;
@@ -22,6 +22,8 @@ const SUBSTEPS: u32 = 5;
 /// A theatre's curtain of 12 m × 6.4 m.
 const UNITS: Units = Units::sheet([SIDE, SIDE], [12.0, 6.4], 0.1, 1.0 / RATE as f64, SUBSTEPS);
 const VIEW: View = View::new(0.0, 6.0).fit(UNITS.point([-5.41, -0.5, -6.3]), UNITS.point([5.41, 0.5, 0.1]), SCREEN);
+/// Slower than 2 cm/s for a second, it rests.
+const STILL: Stillness = Stillness { speed: 0.02, acceleration: 0.02, time: 1.0 };
 /// The rings of a fold, of five columns: how far each is from the one before along the rod, and how far out of line, in the distance of columns.
 /// Columns keep their distance.
 const FOLD: [[f64; 2]; 5] =
@@ -30,6 +32,7 @@ const FOLD: [[f64; 2]; 5] =
 const HALF: f64 = 6.64065;
 
 type Forces = (Gravity<Q13>, Drag<Q13>);
+type Mover = Resting<Xpbd>;
 type Springs = (Stretch<Q13>, Shear<Q13>);
 
 /// White, with trimmings near the lower end.
@@ -73,8 +76,8 @@ pub(crate) struct Stick {
 #[derive(Debug)]
 pub(crate) struct Show {
     pub(crate) cloth: Cloth<Q13, SIDE, SIDE>,
-    scene: Scene<Forces, Springs, (), Xpbd>,
-    rest: Rest<Q13>,
+    scene: Scene<Forces, Springs, (), Mover>,
+    memory: <Mover as Solver<Q13>>::Memory<SIDE, SIDE>,
     /// How far gravity is tilted, in parts of `STEEPEST`.
     tilt: Stick,
     shaded: Shaded<Look<Fabric, Fabric>, SIDE, SIDE>,
@@ -91,11 +94,11 @@ impl Show {
         gather(&mut cloth);
         let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), Drag::new(UNITS.drag(1.2)));
         let links = (Stretch::new(&UNITS, UNITS.stiffness(20_000.0)), Shear::new(&UNITS, UNITS.stiffness(400.0)));
-        let scene = Scene::new(&UNITS, forces, links, (), Xpbd);
+        let scene = Scene::new(&UNITS, forces, links, (), Resting::new(&UNITS, STILL, Xpbd));
         Self {
             cloth,
+            memory: scene.memory::<Q13, SIDE, SIDE>(),
             scene,
-            rest: Rest::new(&UNITS, 0.02, RATE),
             tilt: Stick { right: STEEPEST, away: 0 },
             shaded: Shaded::new(LOOK),
             camera: Camera::new(&VIEW, SCREEN),
@@ -110,14 +113,10 @@ impl Show {
             let gravity = &mut self.scene.forces.0.gain;
             let part = |tilt: i32| -gravity.z.times(tilt).halve(5);
             (gravity.x, gravity.y) = (part(self.tilt.right), part(self.tilt.away));
-            self.rest.wake();
         }
-        if self.rest.has_come() {
-            return false;
-        }
-        self.scene.step(&mut self.cloth, &mut ());
-        self.rest.watch(&self.cloth);
-        true
+        let rested = self.memory.is_at_rest();
+        self.scene.step(&mut self.cloth, &mut self.memory);
+        !(rested && self.memory.is_at_rest())
     }
 
     /// Draws what is behind the curtain: its rod.

@@ -1,4 +1,4 @@
-//! A flag in gusts of wind, on a Raspberry Pi Pico with an LCD. The button chooses among breeze, wind and calm.
+//! A flag in gusts of wind, on a Raspberry Pi Pico with an LCD. The button goes on to a flag in a steady breeze, and to a cloth on two corners in calm air.
 //!
 //! | LCD (ST7789, 240 × 240) | Pico |
 //! |---|---|
@@ -21,7 +21,7 @@
 //! cargo run --profile board --features pico --target thumbv6m-none-eabi --example pico     # on a Pico with a probe
 //! ```
 //!
-//! A step is a 30th of a second. Where pictures take longer, two steps are made up between them and the rest is dropped. At rest there is neither a step nor a
+//! A step is a 36th of a second. Where pictures take longer, two steps are made up between them and the rest is dropped. At rest there is neither a step nor a
 //! byte for the display: the processor sleeps. The log goes through RTT.
 #![no_std]
 #![no_main]
@@ -40,10 +40,6 @@ mod clock;
 mod meter;
 #[path = "../boards/pace.rs"]
 mod pace;
-#[path = "../boards/still.rs"]
-mod still;
-
-use core::convert::Infallible;
 
 use clock::Clock;
 use defmt_rtt as _;
@@ -56,7 +52,7 @@ use embedded_hal_bus::spi::ExclusiveDevice;
 use kerchief::measure;
 use kerchief::render::Canvas;
 use lcd::Lcd;
-use meter::{Lap, Meter};
+use meter::{Lap, Meter, shown};
 use mipidsi::Builder;
 use mipidsi::interface::SpiInterface;
 use mipidsi::models::ST7789;
@@ -69,7 +65,7 @@ use rp2040_hal::fugit::RateExtU32;
 use rp2040_hal::gpio::{FunctionSpi, Pins};
 use rp2040_hal::pac::{CorePeripherals, Peripherals};
 use rp2040_hal::{Sio, Spi, Timer, Watchdog};
-use show::{RATE, SCREEN, Show};
+use show::{NOTE, RATE, SCREEN, Show};
 use static_cell::{ConstStaticCell, StaticCell};
 
 /// What the boot ROM runs first: it makes the flash readable.
@@ -134,19 +130,23 @@ fn main() -> ! {
     let canvas = &mut Canvas::new(Picture::new(ROWS.take()));
     // what a display shows at first is anything
     let Ok(()) = canvas.clear(Rgb565::BLACK);
-    let clock = Clock::start(core.SYST, clocks.system_clock.freq().to_Hz() / RATE);
+    let frequency = clocks.system_clock.freq().to_Hz();
+    let clock = Clock::start(core.SYST, frequency / RATE);
     let mut pace = Pace::new(2);
     let mut meter = Meter::default();
     let (mut now, mut step, mut first, mut pressed) = (0, 0, true, false);
+    let mut logged = clock.cycles();
     loop {
         now = clock.wait(now);
         let start = clock.cycles();
         let Ok(down) = button.is_low();
+        let mut changed = first;
         if down && !pressed {
             show.press();
+            let Ok(()) = canvas.clear(Rgb565::BLACK);
+            changed = true;
         }
         pressed = down;
-        let mut changed = first;
         let due = pace.due(now);
         for _ in 0..due {
             changed |= show.step();
@@ -156,7 +156,8 @@ fn main() -> ! {
             continue;
         }
         let simulated = clock.cycles();
-        let Ok(sort) = draw(show, canvas, &clock);
+        let Ok(()) = canvas.restore(|behind| show.draw_sky(behind));
+        let sort = Lap::time(canvas, &clock, |lap| show.draw(lap));
         let drawn = clock.cycles();
         let Ok(()) = canvas.send(|picture, area| lcd.send(picture, area));
         let sent = clock.cycles();
@@ -164,29 +165,16 @@ fn main() -> ! {
             // no sooner is there anything to see
             let Ok(()) = light.set_high();
         }
-        meter.simulate += simulated.wrapping_sub(start);
-        meter.sort += sort;
-        meter.fill += drawn.wrapping_sub(simulated) - sort;
-        meter.transfer += sent.wrapping_sub(drawn);
-        meter.pictures += 1;
+        meter.add([start, simulated, drawn, sent], sort);
         if step % LOGGED < due {
-            meter.log(step, pace.dropped, measure::digest(&show.cloth));
+            let gone = clock.cycles().wrapping_sub(logged);
+            logged = logged.wrapping_add(gone);
+            let rate = meter.rate(frequency, gone);
+            meter.log(step, rate, pace.dropped, measure::digest(&show.cloth));
+            show.note(rate);
+            // the backdrop is drawn there too
+            let Ok(()) = canvas.fill_solid(&NOTE, Rgb565::BLACK);
         }
         shown(step);
     }
-}
-
-/// Draws a picture, and says for how many cycles faces were put in order.
-fn draw(show: &mut Show, canvas: &mut Canvas<Picture>, clock: &Clock) -> Result<u32, Infallible> {
-    canvas.restore(|behind| show.draw_sky(behind))?;
-    let start = clock.cycles();
-    let mut lap = Lap::new(canvas, clock);
-    show.draw(&mut lap)?;
-    Ok(lap.first.map_or(0, |first| first.wrapping_sub(start)))
-}
-
-/// Where an emulator stops to look at the display.
-#[inline(never)]
-extern "C" fn shown(step: u32) {
-    core::hint::black_box(step);
 }

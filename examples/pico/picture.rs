@@ -67,6 +67,14 @@ impl DrawTarget for Picture {
     fn fill_solid(&mut self, area: &Rectangle, color: Rgb565) -> Result<(), Infallible> {
         let color = RawU16::from(color).into_inner();
         let end = area.top_left + area.size;
+        if area.size.height == 1 {
+            // a part of a row within the picture, as faces consist of
+            let row = self.rows.get_mut(area.top_left.y as usize);
+            if let Some(part) = row.and_then(|row| row.get_mut(area.top_left.x as usize..end.x as usize)) {
+                part.fill(color);
+                return Ok(());
+            }
+        }
         let within = |place: i32, side: usize| place.clamp(0, side as i32) as usize;
         let columns = within(area.top_left.x, WIDTH)..within(end.x, WIDTH);
         if let Some(rows) = self.rows.get_mut(within(area.top_left.y, HEIGHT)..within(end.y, HEIGHT)) {

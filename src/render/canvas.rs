@@ -109,6 +109,11 @@ impl Extent {
         }
     }
 
+    fn join(&mut self, other: &Self) {
+        self.low = self.low.component_min(other.low);
+        self.high = self.high.component_max(other.high);
+    }
+
     /// The part on a target.
     fn within(&self, target: &impl Dimensions) -> Rectangle {
         if self.low.x >= self.high.x {
@@ -178,22 +183,24 @@ impl<D: DrawTarget> DrawTarget for Dirty<D> {
 
 /// A framebuffer that sends to a display of its size only what changed.
 ///
-/// Boxes are not cut to the buffer while it is drawn on: what is drawn beside it makes them larger, and more is sent than has to be.
+/// Boxes are cut to the buffer when they are sent: what is drawn beside it alone sends nothing, what is drawn on it and beside it in one picture may send more than
+/// has to be.
 ///
-/// Memory: the framebuffer and two boxes (36 bytes).
+/// Memory: the framebuffer and three boxes (48 bytes).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Canvas<F> {
+    /// With the box of what was drawn since it was sent.
     buffer: Dirty<F>,
+    /// What was drawn since the last erasing, and is sent.
+    sent: Extent,
     /// What was erased since it was sent.
     erased: Extent,
-    /// Whether the display has all that is drawn.
-    sent: bool,
 }
 
 impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
     /// A canvas on a framebuffer, for a display that shows the same as the buffer.
     pub const fn new(buffer: F) -> Self {
-        Self { buffer: Dirty::new(buffer), erased: Extent::EMPTY, sent: true }
+        Self { buffer: Dirty::new(buffer), sent: Extent::EMPTY, erased: Extent::EMPTY }
     }
 
     /// Fills the box of what was drawn with one colour.
@@ -201,7 +208,7 @@ impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
     /// # Errors
     /// Whatever the buffer reports.
     pub fn erase(&mut self, color: <F as DrawTarget>::Color) -> Result<(), F::Error> {
-        self.erased.add(&self.buffer.drawn());
+        self.prepare();
         self.buffer.erase(color)
     }
 
@@ -210,8 +217,14 @@ impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
     /// # Errors
     /// Whatever `restore` returns.
     pub fn restore<E>(&mut self, restore: impl FnOnce(&mut Clipped<'_, F>) -> Result<(), E>) -> Result<(), E> {
-        self.erased.add(&self.buffer.drawn());
+        self.prepare();
         self.buffer.restore(restore)
+    }
+
+    /// All that was drawn is about to be erased.
+    fn prepare(&mut self) {
+        self.buffer.drawn.join(&core::mem::replace(&mut self.sent, Extent::EMPTY));
+        self.erased.add(&self.buffer.drawn());
     }
 
     /// Sends the box around what was erased and drawn since the last time, in one transfer; nothing if that is nothing.
@@ -231,15 +244,13 @@ impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
     /// Whatever `send` returns. The next time the same is sent again.
     pub fn send<E>(&mut self, send: impl FnOnce(&F, &Rectangle) -> Result<(), E>) -> Result<(), E> {
         let mut changed = self.erased;
-        if !self.sent {
-            changed.add(&self.buffer.drawn());
-        }
+        changed.add(&self.buffer.drawn());
         let changed = changed.within(&self.buffer);
         if !changed.is_zero_sized() {
             send(self.buffer.target(), &changed)?;
         }
         self.erased = Extent::EMPTY;
-        self.sent = true;
+        self.sent.add(&self.buffer.forget());
         Ok(())
     }
 
@@ -260,7 +271,6 @@ impl<F: DrawTarget> DrawTarget for Canvas<F> {
     type Error = F::Error;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<F::Color>>>(&mut self, pixels: I) -> Result<(), F::Error> {
-        self.sent = false;
         self.buffer.draw_iter(pixels)
     }
 
@@ -269,17 +279,14 @@ impl<F: DrawTarget> DrawTarget for Canvas<F> {
         area: &Rectangle,
         colors: I,
     ) -> Result<(), F::Error> {
-        self.sent = false;
         self.buffer.fill_contiguous(area, colors)
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: F::Color) -> Result<(), F::Error> {
-        self.sent = false;
         self.buffer.fill_solid(area, color)
     }
 
     fn clear(&mut self, color: F::Color) -> Result<(), F::Error> {
-        self.sent = false;
         self.buffer.clear(color)
     }
 }
@@ -332,6 +339,10 @@ mod tests {
         line((2, 1), (4, 3)).draw(&mut canvas).unwrap();
         sent(&mut canvas);
         assert_eq!(sent(&mut canvas).affected_area(), Rectangle::zero());
+        line((20, 30), (40, 50)).draw(&mut canvas).unwrap();
+        assert_eq!(sent(&mut canvas).affected_area(), Rectangle::zero(), "drawn beside the canvas");
+        line((3, 2), (3, 2)).draw(&mut canvas).unwrap();
+        sent(&mut canvas).assert_pattern(&["    ", "    ", "   #"]);
         canvas.erase(BinaryColor::Off).unwrap();
         assert_eq!(sent(&mut canvas).affected_area(), Rectangle::new(Point::new(2, 1), Size::new(3, 3)));
     }

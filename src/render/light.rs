@@ -3,6 +3,7 @@
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::camera::Camera;
+use super::quotient::quotient;
 use super::view::sin_cos;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
@@ -82,7 +83,7 @@ impl Lamp {
     /// The tone of a surface of this colour and normal.
     pub(super) fn tone(&self, base: Rgb888, finish: &Finish, normal: Normal) -> Rgb888 {
         let facing = normal.dot(self.towards, 8);
-        let lamp = match (facing + WRAP) * 256 / (256 + WRAP) {
+        let lamp = match quotient((facing + WRAP) * 256, 256 + WRAP) {
             lit if lit > 0 => lit,
             unlit => (-unlit * finish.translucency) >> 8,
         };
@@ -137,7 +138,7 @@ impl Normal {
         if length == 0 {
             return Self([0; 3]);
         }
-        let inverse = (1 << (2 * Self::BITS)) / length;
+        let inverse = quotient(1 << (2 * Self::BITS), length);
         Self([x, y, z].map(|component| (component * inverse + (1 << (Self::BITS - 1))) >> Self::BITS))
     }
 

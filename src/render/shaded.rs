@@ -199,9 +199,10 @@ impl<F: Pattern, B: Pattern, O, G, const N: usize> Easel<'_, F, B, O, G, N> {
             return Ok(());
         }
         let [p, q, s, t] = corners.map(|(point, _)| point);
-        let [a, b, c, d] = corners.map(|(_, seen)| seen.spot);
+        let spots = corners.map(|(_, seen)| seen.spot);
+        let turns = fill::turns(spots);
         // Seen from the front, columns and rows turn against the clock. The diagonals span twice the face.
-        let is_front = fill::turn(b, a, c) + fill::turn(d, b, c) > 0;
+        let is_front = turns[0] + turns[1] > 0;
         let diagonals = ((t - p).times(N as i32), (s - q).times(N as i32));
         let normal = Normal::across(diagonals.0, diagonals.1);
         let look = self.look;
@@ -212,12 +213,10 @@ impl<F: Pattern, B: Pattern, O, G, const N: usize> Easel<'_, F, B, O, G, N> {
         };
         if D::Color::PATTERNED {
             let target = &mut Toned(target);
-            fill::triangle([b, a, c], tone, &self.area, target)?;
-            fill::triangle([d, b, c], tone, &self.area, target)
+            fill::face(spots, turns, tone, &self.area, target)
         } else {
             let color = D::Color::nearest(tone);
-            fill::triangle([b, a, c], color, &self.area, target)?;
-            fill::triangle([d, b, c], color, &self.area, target)
+            fill::face(spots, turns, color, &self.area, target)
         }
     }
 }

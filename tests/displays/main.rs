@@ -22,5 +22,3 @@ mod pico_show;
 mod program;
 #[path = "../../examples/emulate/qemu.rs"]
 mod qemu;
-#[path = "../../examples/boards/still.rs"]
-mod still;
