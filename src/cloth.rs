@@ -32,6 +32,18 @@ pub struct Cloth<S, const W: usize, const H: usize> {
 
 impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     /// Nothing but zeros: room in a `static` for a sheet that is [laid](Self::lay_here) or [hung](Self::hang_here) there, so that it is never on the stack.
+    ///
+    /// ```
+    /// use std::sync::Mutex; // on a board a cell of the crate `static_cell`
+    /// use kerchief::{Cloth, Q24, Units};
+    ///
+    /// const UNITS: Units = Units::sheet([32, 32], [0.3, 0.3], 1e-4, 1.0 / 60.0, 8);
+    /// static SHEET: Mutex<Cloth<Q24, 32, 32>> = Mutex::new(Cloth::BLANK);
+    ///
+    /// let mut sheet = SHEET.lock().unwrap();
+    /// sheet.hang_here(&UNITS, UNITS.point([0.0, 0.0, 0.3]));
+    /// assert_eq!(*sheet, Cloth::hang(&UNITS, UNITS.point([0.0, 0.0, 0.3])));
+    /// ```
     pub const BLANK: Self = Self {
         position: Vectors::filled(Vec3::ZERO),
         velocity: Vectors::filled(Vec3::ZERO),

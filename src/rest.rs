@@ -208,11 +208,11 @@ fn surroundings<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>>(physics: Ph
 
 fn state<S: Scalar, const W: usize, const H: usize>(mut print: Fingerprint, cloth: &Cloth<S, W, H>) -> Fingerprint {
     for row in 0..H {
-        let (x, v, w) = (&cloth.position.0[row], &cloth.velocity.0[row], &cloth.inverse_mass.0[row]);
-        for column in 0..W {
-            let (x, v) = (x.at(column), v.at(column));
-            print.numbers([x.x, x.y, x.z, v.x, v.y, v.z, w[column]]);
-        }
+        let (x, v) = (&cloth.position.0[row], &cloth.velocity.0[row]);
+        print.row(&x.x, &v.x);
+        print.row(&x.y, &v.y);
+        print.row(&x.z, &v.z);
+        print.masses(&cloth.inverse_mass.0[row]);
     }
     print
 }

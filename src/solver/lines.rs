@@ -15,6 +15,7 @@
 
 mod chain;
 mod damp;
+mod ease;
 mod pairs;
 mod predict;
 mod relax;

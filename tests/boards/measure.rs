@@ -42,13 +42,13 @@ fn nothing_is_free(figures: &[Figure]) {
     }
 }
 
-/// A sheet at rest costs about a hundredth of one in motion, an eightieth where that is cheapest.
+/// A sheet at rest costs at most a hundredth of one in motion.
 fn rest_is_cheap(figures: &[Figure]) {
     for moving in figures.iter().filter(|figure| figure.scene == "xpbd") {
         let rest = figures.iter().find(|figure| figure.number == moving.number && figure.scene == "xpbd, at rest");
         let rest = rest.expect("both are measured");
         for (moving_count, rest) in moving.instructions().into_iter().zip(rest.instructions()) {
-            assert!(80 * rest <= moving_count, "{rest} of {moving_count} in {}", moving.number);
+            assert!(100 * rest <= moving_count, "{rest} of {moving_count} in {}", moving.number);
         }
     }
 }

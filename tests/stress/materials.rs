@@ -1,8 +1,8 @@
 //! Materials and steps from one end to the other.
 
-use kerchief::{Lines, Node, Q13, Q24, Scalar, Solver};
+use kerchief::{Lines, Node, Scalar, Solver};
 
-use crate::ordeal::{Complaints, Ordeal, default_in, default_solver, other_solvers};
+use crate::ordeal::{Complaints, Ordeal, default_solver, other_solvers};
 use crate::stage::{CLOTH, Sheet, Stage};
 
 /// A sheet whose particles are kicked in all directions, by up to 3 m/s.
@@ -31,18 +31,15 @@ impl Ordeal for Kicked {
         stage.kick(3.0);
         stage.cloth.inverse_mass[Node::new(W / 2, H / 2)] = S::from_f64(1.0 / self.heavy);
     }
-    /// Lines leave rows as they are that are strained by no more than their tolerance, which moves particles by so much in a substep. Where the sheet is
-    /// stiff and steps are long, that is what remains.
+    /// Lines leave rows as they are that are strained by no more than their tolerance, which moves particles by a part of it in a substep.
     fn still(&self) -> f64 {
         let Sheet { frame, substeps, .. } = self.sheet();
-        let tolerated = 3.0 * Lines::new().tolerance / 7.0 / (frame / f64::from(substeps));
-        // a particle of a thousand masses is more than the most sweeps can hold in long steps: it stays where it has to be, but shakes
-        if self.frame > 0.02 && self.heavy > 1.0 {
-            f64::INFINITY
-        } else if self.frame > 0.02 || self.heavy > 1.0 {
-            tolerated
-        } else {
-            0.02
+        let tolerated = Lines::new().tolerance / 7.0 / (frame / f64::from(substeps));
+        match (self.frame, self.heavy) {
+            // what hangs from a particle of a thousand masses in folds is more than the most sweeps put in order: it stays where it has to be, but shakes
+            (0.05, 1000.0) => f64::INFINITY,
+            (frame, heavy) if frame > 0.02 || heavy > 1.0 => tolerated,
+            _ => 0.02,
         }
     }
     fn left(&self) -> f64 {
@@ -55,7 +52,7 @@ const STEPS: [f64; 4] = [1e-3, 1.0 / 60.0, 0.05, 0.2];
 #[test]
 fn every_stiffness_and_step() {
     let mut complaints = Complaints::default();
-    for stretch in [1e-2, 1.0, 1e2, 1e4, 1e6, 1e8] {
+    for stretch in [1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e11] {
         for frame in STEPS {
             let what = format!("{stretch:e} N/m, frames of {frame:.3} s");
             default_solver::<8, 8>(&mut complaints, &what, &Kicked { stretch, frame, heavy: 1.0 });
@@ -63,14 +60,6 @@ fn every_stiffness_and_step() {
         let what = format!("{stretch:e} N/m");
         other_solvers::<8, 8>(&mut complaints, &what, &Kicked { stretch, frame: 0.05, heavy: 1.0 });
     }
-    // not in f32: a row that is taut between two pins leaves no pivot where 1/κ is below the last place
-    for frame in STEPS {
-        let (what, ordeal) = (format!("1e11 N/m, frames of {frame:.3} s"), Kicked { stretch: 1e11, frame, heavy: 1.0 });
-        default_in::<f64, 8, 8>(&mut complaints, &what, &ordeal);
-        default_in::<Q24, 8, 8>(&mut complaints, &what, &ordeal);
-        default_in::<Q13, 8, 8>(&mut complaints, &what, &ordeal);
-    }
-    other_solvers::<8, 8>(&mut complaints, "1e11 N/m", &Kicked { stretch: 1e11, frame: 0.05, heavy: 1.0 });
     complaints.assert_none();
 }
 

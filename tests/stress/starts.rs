@@ -49,10 +49,17 @@ starts! {
 }
 
 /// Most strained stretch link from the tenth frame on, after a start where every free particle of the thesis' sheet, ten times as stiff or a thousand times, is
-/// somewhere in a cube of the sheet's size.
+/// somewhere in a cube of the sheet's size. The worst of some starts.
 fn after_ten_frames<S: Scalar, const N: usize>(stretch: f64) -> f64 {
+    (0..4).fold(0.0, |strain: f64, start| strain.max(after_ten_frames_from::<S, N>(stretch, start)))
+}
+
+fn after_ten_frames_from<S: Scalar, const N: usize>(stretch: f64, start: u32) -> f64 {
     let sheet = Sheet { size: 10.0, mass: 1.0, frame: 0.1, stretch, shear: 9427.0, bend: 942.7, ..CLOTH };
     let mut stage = Stage::<S, Lines, N, N>::new(&sheet, Lines::new());
+    (0..start * 7919).for_each(|_| {
+        stage.random();
+    });
     stage.place(|stage, _| stage.random_vector(5.0));
     (0..9).for_each(|_| stage.step());
     (0..10).fold(0.0, |strain: f64, _| {

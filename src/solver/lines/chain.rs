@@ -20,6 +20,7 @@ use crate::solver::ordinary::Ordinary;
 use crate::vec3::Vec3;
 use crate::vectors::{SIDE_BY_SIDE, ahead, behind, columns};
 
+use super::ease::{TAUT, ease};
 use super::{displace, displace_row};
 
 /// Columns that are solved side by side, where a machine computes several numbers at once: two of its vectors of `f32`.
@@ -172,7 +173,18 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             },
             self.moment,
         );
+        if self.is_taut(change.iter().copied()) {
+            let by = ease(&normal, &change.map(|change| change.scaled(dividend)), &w, self.rest.inverse);
+            displace_row(cloth, row, |k| by.at(k), self.moment);
+        }
         worst
+    }
+
+    /// Whether any of these multipliers is of a tension that shakes its chain.
+    #[inline(always)]
+    fn is_taut(&self, tensions: impl Iterator<Item = S>) -> bool {
+        let most = tensions.fold(S::ZERO, S::max);
+        most.scaled(self.strength.dividend) > self.rest.length * S::from_f64(TAUT)
     }
 
     /// Solves every column.
@@ -250,6 +262,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             let mut pull = below;
             for lane in 0..N {
                 change[lane] = changes[link_above][lane] + times::<ORDINARY, S>(change[lane], factors[row][lane]);
+                changes[link_above][lane] = change[lane];
                 pull.set(lane, normals[link_above].at(lane).of_length(change[lane].scaled(dividend)));
             }
             let tension = &mut tension.0[link_above];
@@ -262,6 +275,28 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 displace(x, v, column, if ORDINARY { by } else { by * w[column] }, self.moment);
             }
             below = pull;
+        }
+        for lane in 0..N {
+            if self.is_taut(changes.iter().map(|change| change[lane])) {
+                self.ease_column(cloth, first + lane, |row| (normals[row].at(lane), changes[row][lane]));
+            }
+        }
+    }
+
+    /// Eases a column, whose links have these directions and changes of multipliers.
+    #[inline(never)]
+    fn ease_column(&self, cloth: &mut Cloth<S, W, H>, column: usize, link: impl Fn(usize) -> (Vec3<S>, S)) {
+        let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
+        let mut tension = [S::ZERO; H];
+        for row in 0..H {
+            let (direction, change) = link(row);
+            normal.set(row, direction);
+            tension[row] = change.scaled(self.strength.dividend);
+        }
+        let w = core::array::from_fn(|row| cloth.inverse_mass.0[row][column]);
+        let by = ease(&normal, &tension, &w, self.rest.inverse);
+        for row in 0..H {
+            displace(&mut cloth.position.0[row], &mut cloth.velocity.0[row], column, by.at(row), self.moment);
         }
     }
 }

@@ -1,0 +1,125 @@
+//! Taut chains don't shake.
+//!
+//! A tension pulls a bent chain straight, along the directions that its links had when it was solved. In a zigzag of amplitude y that pull moves a particle
+//! by up to −4·λ·y/L, where λ is the displacement that the tension gives a particle: beyond λ = L/2 by more than back again, which the rule in time amplifies
+//! (it needs more than −0.23·y to be left). What a sheet hangs from then shakes for good. So where tensions are that large, what they do across the
+//! chain is done implicitly: the displacement y' across solves
+//!
+//! `(1 + w_i·(a_{i−1} + a_i))·y'_i − w_i·a_{i−1}·y'_{i−1} − w_i·a_i·y'_{i+1} = y_i`,  a = max(λ, 0)/L,
+//!
+//! the geometric stiffness of the links (M. Tournier and others, *Stable constrained dynamics*, 2015). What moves a particle along its chain stays as it is.
+
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+
+/// The tension from which on a chain is eased, rest lengths. A zigzag calls for 0.31; with less than a half, chains are eased that don't shake, which costs accuracy.
+pub(super) const TAUT: f64 = 0.5;
+
+/// Tensions in the matrix, rest lengths: more do nothing more, and fixed point holds these.
+const MOST: i32 = 16;
+
+/// What is missing of the displacements of a chain, whose links have these directions and tensions (displacements of a particle of mass 1, cells). Nothing where
+/// it is bent by a right angle or more: no tension has pulled that straight yet.
+#[inline(never)] // few chains are that taut
+pub(super) fn ease<S: Scalar, const M: usize>(
+    normal: &Vec3<[S; M]>,
+    tension: &[S; M],
+    inverse_mass: &[S; M],
+    inverse_length: S,
+) -> Vec3<[S; M]> {
+    let mut across: Vec3<[S; M]> = Vec3::row(Vec3::ZERO);
+    let mut by = across;
+    let mut factor = [S::ZERO; M];
+    let (mut pull, mut direction, mut a, mut f) = (Vec3::ZERO, Vec3::ZERO, S::ZERO, S::ZERO);
+    for k in 0..M {
+        let w = inverse_mass[k];
+        let last = k + 1 == M;
+        let (after, force) = if last { (Vec3::ZERO, S::ZERO) } else { (normal.at(k), tension[k]) };
+        let next = after.of_length(force);
+        let moved = (next - pull) * w;
+        let along = (after + direction).halve(1);
+        let squared = along.dot(along);
+        let end = k == 0 || last;
+        if !end && squared < S::HALF {
+            return Vec3::row(Vec3::ZERO);
+        }
+        // an end has but one link, along which it is moved
+        across.set(k, if end { Vec3::ZERO } else { moved - along * moved.dot(along).divide(squared) });
+        let b = (force * inverse_length).max(S::ZERO).min(S::from_int(MOST));
+        let pivot = (S::ONE + w * (a + b - a * f)).recip();
+        let before = if k > 0 { by.at(k - 1) } else { Vec3::ZERO };
+        by.set(k, (across.at(k) + before * (w * a)) * pivot);
+        f = w * b * pivot;
+        factor[k] = f;
+        (pull, direction, a) = (next, after, b);
+    }
+    for k in (0..M - 1).rev() {
+        let next = by.at(k + 1);
+        by.add(k, next * factor[k]);
+    }
+    for k in 0..M {
+        by.set(k, by.at(k) - across.at(k));
+    }
+    by
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Q13, Q24};
+
+    const M: usize = 8;
+
+    /// What is left of a zigzag of this amplitude between two pins, rest lengths, once all its links had this tension.
+    fn left_of_a_zigzag<S: Scalar>(amplitude: f64, tension: f64) -> [f64; M] {
+        let free = |k: usize| k > 0 && k + 1 < M;
+        let side = |k: usize| if free(k) { amplitude * [1.0, -1.0][k % 2] } else { 0.0 };
+        let mut normal: Vec3<[S; M]> = Vec3::row(Vec3::ZERO);
+        for k in 0..M - 1 {
+            let (y, length) = (side(k + 1) - side(k), 1.0_f64.hypot(side(k + 1) - side(k)));
+            normal.set(k, Vec3::from_f64([1.0 / length, y / length, 0.0]));
+        }
+        let tensions = core::array::from_fn(|k| if k + 1 < M { S::from_f64(tension) } else { S::ZERO });
+        let w = core::array::from_fn(|k| if free(k) { S::ONE } else { S::ZERO });
+        let by = ease(&normal, &tensions, &w, S::ONE);
+        core::array::from_fn(|k| {
+            let pull = |k: usize| tension * normal.at(k).to_f64()[1];
+            let pulled = if free(k) { pull(k) - pull(k - 1) } else { 0.0 };
+            side(k) + pulled + by.at(k).to_f64()[1]
+        })
+    }
+
+    fn no_zigzag_overshoots<S: Scalar>() {
+        for tension in [0.5, 1.0, 4.0, 15.0] {
+            let amplitude = 0.05;
+            for (k, left) in left_of_a_zigzag::<S>(amplitude, tension).into_iter().enumerate() {
+                // of an endless one 1/(1 + 4·λ/L) is left; beside a pin, which has no side, up to 1/(1 + 2·λ/L)
+                let end = k == 0 || k == M - 1;
+                let slack = 2e-3 * amplitude + 200.0 * S::RESOLUTION + if S::NAME == Q13::NAME { 1e-3 } else { 0.0 };
+                let left = if k % 2 == 0 { left } else { -left };
+                assert!(
+                    left > -slack && left < slack + amplitude / (1.0 + 2.0 * tension),
+                    "{tension} in {}: {left}",
+                    S::NAME
+                );
+                assert!(!end || left == 0.0, "a pin is moved");
+            }
+        }
+    }
+
+    #[test]
+    fn no_tension_turns_a_zigzag_around() {
+        no_zigzag_overshoots::<f32>();
+        no_zigzag_overshoots::<f64>();
+        no_zigzag_overshoots::<Q24>();
+        no_zigzag_overshoots::<Q13>();
+    }
+
+    #[test]
+    fn a_straight_chain_and_a_folded_one_are_left_alone() {
+        let mut normal: Vec3<[f64; 3]> = Vec3::row(Vec3::from_f64([1.0, 0.0, 0.0]));
+        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 1.0).at(k) == Vec3::ZERO));
+        normal.set(1, Vec3::from_f64([-0.1, -0.99, 0.0]));
+        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 1.0).at(k) == Vec3::ZERO));
+    }
+}
