@@ -12,8 +12,6 @@ mod gdb;
 #[path = "../microbit/leds.rs"]
 mod leds;
 mod microbit;
-#[path = "../microbit/show.rs"]
-mod microbit_show;
 mod oled;
 mod photograph;
 mod pico;

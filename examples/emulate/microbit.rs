@@ -6,8 +6,7 @@ use image::{Rgb, RgbImage};
 
 use crate::firmware::Firmware;
 use crate::gdb::Result;
-use crate::leds::{ROWS, lit};
-use crate::microbit_show::{BRIGHTEST, LEDS};
+use crate::leds::{BRIGHTEST, LEDS, ROWS, lit};
 use crate::qemu::Qemu;
 
 const TARGET: &str = "thumbv6m-none-eabi";

@@ -1,4 +1,4 @@
-//! Floating point on the FPU against fixed point, on a board with an STM32F405 (Adafruit Feather STM32F405 Express, WeAct's board and their kin). The table comes over
+//! Floating point on the FPU against fixed point, on a board with an STM32F405 (Adafruit Feather STM32F405 Express, boards of `WeAct` and their kin). The table comes over
 //! the serial port.
 //!
 //! | serial adapter, 3.3 V | STM32F405 |

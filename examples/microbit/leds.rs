@@ -1,6 +1,9 @@
 //! The 25 LEDs of the micro:bit v1: three wires for rows, nine for columns. Nothing here knows the chip: what is written to the pins is a number, and what it lights can be told from it.
 
-use crate::show::LEDS;
+/// LEDs a side.
+pub(crate) const LEDS: usize = 5;
+/// How bright a LED can be.
+pub(crate) const BRIGHTEST: u32 = 4;
 
 /// The pin of the first row; a row shines while its pin is high.
 const ROW: u32 = 13;

@@ -9,7 +9,7 @@
 //! cargo --config boards/microbit.toml run --profile board --features microbit --target thumbv6m-none-eabi --example microbit
 //! ```
 //!
-//! A step is a 60th of a second: it is computed, then its picture is shown for the rest of that time, in passes of a millisecond for each row of wires. The log goes
+//! A step is a 60th of a second: it is computed, then its picture is shown for the rest of that time, in passes of 0.8 ms for each row of wires. The log goes
 //! through RTT.
 #![no_std]
 #![no_main]
@@ -18,21 +18,23 @@
 compile_error!("this example is firmware: give a target");
 
 mod board;
+#[path = "../pico/breeze.rs"]
+mod breeze;
 mod leds;
 mod show;
 
 use board::Board;
 use defmt_rtt as _;
 use kerchief::measure;
-use leds::{ROWS, pins};
+use leds::{BRIGHTEST, ROWS, pins};
 use panic_probe as _;
-use show::{BRIGHTEST, RATE, Show};
+use show::{RATE, Show};
 use static_cell::StaticCell;
 
 /// Steps between two lines of the log.
 const LOGGED: u32 = 60;
 /// How long a pass lights a row of wires, µs.
-const SLOT: u32 = 1000;
+const SLOT: u32 = 800;
 
 static SHOW: StaticCell<Show> = StaticCell::new();
 

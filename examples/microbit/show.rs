@@ -1,22 +1,21 @@
 //! What the LEDs show: a flag of 8 × 8 particles, brighter where it blows towards the viewer. Nothing here knows a board; a host plays the same, to the last bit.
 
-use kerchief::{AerodynamicWind, Cloth, Gravity, Node, Q13, Scalar, Scene, Shear, Stretch, Units, Xpbd};
+use kerchief::{Cloth, Gravity, Node, Q13, Scalar, Scene, Shear, Stretch, Units, Xpbd};
+
+use crate::breeze::Breeze;
+use crate::leds::{BRIGHTEST, LEDS};
 
 /// Particles a side.
 const SIDE: usize = 8;
 /// Steps in a second.
 pub(crate) const RATE: u32 = 60;
-/// LEDs a side.
-pub(crate) const LEDS: usize = 5;
-/// How bright a LED can be.
-pub(crate) const BRIGHTEST: u32 = 4;
 
 /// A flag of 7 m × 7 m.
-const UNITS: Units = Units::sheet([SIDE, SIDE], [7.0, 7.0], 0.2, 1.0 / RATE as f64, 2);
+const UNITS: Units = Units::sheet([SIDE, SIDE], [7.0, 7.0], 0.2, 1.0 / RATE as f64, 1);
 /// The strongest wind, by the buttons.
 const STRONGEST: u32 = 3;
 
-type Forces = (Gravity<Q13>, AerodynamicWind<Q13>);
+type Forces = (Gravity<Q13>, Breeze);
 type Springs = (Stretch<Q13>, Shear<Q13>);
 
 /// The flag and what moves it.
@@ -33,10 +32,7 @@ impl Show {
     pub(crate) fn new() -> Self {
         let mut cloth = Cloth::hang(&UNITS, UNITS.point([0.0; 3]));
         (0..SIDE).for_each(|row| cloth.pin(Node::new(0, row)));
-        let forces = (
-            Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])),
-            AerodynamicWind::new(UNITS.aerodynamic_wind([0.0; 3], 1.2, 1.2)),
-        );
+        let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), Breeze { wind: [0; 3] });
         let links = (Stretch::new(&UNITS, UNITS.stiffness(5_000.0)), Shear::new(&UNITS, UNITS.stiffness(500.0)));
         Self { cloth, scene: Scene::new(&UNITS, forces, links, (), Xpbd), wind: 2, step: 0 }
     }
@@ -49,14 +45,12 @@ impl Show {
 
     /// A step.
     pub(crate) fn step(&mut self) {
-        /// A metre a second.
-        const METRE: f64 = UNITS.velocity([1.0, 0.0, 0.0]).0[0];
+        /// 3 m/s as a [`Breeze`] has it.
+        const UNIT: i32 = (UNITS.velocity([3.0, 0.0, 0.0]).0[0] * 8192.0) as i32;
         self.step += 1;
-        let strength = Q13::from_f64(4.0 * METRE).times(self.wind as i32);
-        let wind = &mut self.scene.forces.1.wind;
-        wind.x = strength;
-        // it turns from side to side, in 64ths
-        wind.y = strength.times(swing(self.step)).halve(6);
+        let strength = UNIT * self.wind as i32;
+        // it turns from side to side
+        self.scene.forces.1.wind = [strength, (strength * swing(self.step)) >> 6, 0];
         self.scene.step(&mut self.cloth, &mut ());
     }
 

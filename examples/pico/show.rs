@@ -21,7 +21,7 @@ use crate::breeze::Breeze;
 /// Particles a side.
 const SIDE: usize = 16;
 /// Steps in a second.
-pub(crate) const RATE: u32 = 45;
+pub(crate) const RATE: u32 = 42;
 /// The display.
 pub(crate) const SCREEN: Size = Size::new(240, 240);
 
@@ -30,8 +30,8 @@ const SUBSTEPS: u32 = 2;
 /// A flag of 24 m × 16 m: the larger, the less a step strains it. Row 0 is at the pole: links between particles of mass 1 cost less, and only this row has others.
 const UNITS: Units = Units::sheet([SIDE, SIDE], [16.0, 24.0], 0.05, 1.0 / RATE as f64, SUBSTEPS);
 const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.8, -3.2, -20.0]), UNITS.point([23.2, 3.2, 2.4]), SCREEN);
-/// What moves by less than a pixel a second rests: 15 cm/s. `Q13` lets a stretched cloth tremble by a third of that.
-const STILL: Stillness = Stillness { speed: 0.15, acceleration: 0.15, time: 1.0 };
+/// What moves by less than two pixels a second rests: 20 cm/s. `Q13` lets a stretched cloth tremble by a quarter of that.
+const STILL: Stillness = Stillness { speed: 0.2, acceleration: 0.2, time: 0.5 };
 /// 1 m/s as a [`Breeze`] has it.
 const METRE: i32 = (UNITS.velocity([1.0, 0.0, 0.0]).0[0] * 8192.0) as i32;
 
@@ -86,7 +86,7 @@ impl Play {
 
     /// The wind after so many steps, as a [`Breeze`] has it.
     fn wind(self, step: u32) -> [i32; 3] {
-        let phase = step * 2 / 3;
+        let phase = step * 5 / 7;
         let [along, across, up] = match self {
             Self::Gusts => [
                 768 + 2 * wave(phase * 2) + wave(phase * 3 + 40) * 3 / 2,

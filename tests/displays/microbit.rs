@@ -2,11 +2,12 @@
 
 use kerchief::measure;
 
+use crate::leds::BRIGHTEST;
 use crate::microbit_board::{levels, start};
-use crate::microbit_show::{BRIGHTEST, Show};
+use crate::microbit_show::Show;
 
 /// Bytes of stack that may be used.
-const STACK: u32 = 4 << 10;
+const STACK: u32 = 8 << 10;
 
 #[test]
 fn the_microbit_shows_what_a_host_computes() {
