@@ -20,7 +20,7 @@ const TARGET: &str = "thumbv6m-none-eabi";
 const EMULATOR: &str = "rp2040js@1.4.1";
 /// Steps in a second, as the example has them.
 #[allow(dead_code, reason = "tests know the example itself")]
-pub(crate) const RATE: u32 = 42;
+pub(crate) const RATE: u32 = 40;
 /// Pixels a side.
 pub(crate) const SIDE: u32 = 240;
 const FLASH: u32 = 0x1000_0000;

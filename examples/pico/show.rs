@@ -21,7 +21,7 @@ use crate::breeze::Breeze;
 /// Particles a side.
 const SIDE: usize = 16;
 /// Steps in a second.
-pub(crate) const RATE: u32 = 42;
+pub(crate) const RATE: u32 = 40;
 /// The display.
 pub(crate) const SCREEN: Size = Size::new(240, 240);
 
@@ -86,7 +86,7 @@ impl Play {
 
     /// The wind after so many steps, as a [`Breeze`] has it.
     fn wind(self, step: u32) -> [i32; 3] {
-        let phase = step * 5 / 7;
+        let phase = step * 3 / 4;
         let [along, across, up] = match self {
             Self::Gusts => [
                 768 + 2 * wave(phase * 2) + wave(phase * 3 + 40) * 3 / 2,
