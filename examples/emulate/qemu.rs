@@ -135,7 +135,7 @@ impl Qemu {
             !traced && early.get(*index).is_none_or(|early| early != line)
         };
         let notes = self.notes()?;
-        Ok(notes.lines().enumerate().filter(wrong).map(|(_, line)| format!("{line}\n")).collect())
+        Ok(notes.lines().enumerate().filter(wrong).map(|(_, line)| line).collect::<Vec<_>>().join("\n"))
     }
 
     fn notes(&self) -> Result<String> {

@@ -59,7 +59,7 @@ fn scene<S: Scalar, V>(units: &Units, solver: V) -> Hanging<S, V> {
 #[inline(never)]
 fn run<S: Scalar, V: Solver<S>>(solver: &'static str, scene: &Hanging<S, V>, units: &Units, judge: &mut impl Judge) {
     let mut cloth = Cloth::<S, SIDE, SIDE>::hang(units, units.point([0.0; 3]));
-    [0, SIDE - 1].map(|column| cloth.pin(Node::new(column, 0)));
+    [0, SIDE - 1].into_iter().for_each(|column| cloth.pin(Node::new(column, 0)));
     let mut memory = scene.memory();
     let (mut cost, mut strain) = (0, 0);
     for _ in 0..FRAMES {

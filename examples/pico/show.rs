@@ -223,7 +223,7 @@ fn folds() -> Cloth<Q13, SIDE, SIDE> {
     const FOLD: [f64; 2] = [0.5, 0.866_025];
     let [out, along] = FOLD.map(Q13::from_f64);
     let mut cloth = spread(|row| [Q13::ONE + along.times(row as i32), out.times([0, 1, 0, -1][row % 4])]);
-    [0, SIDE - 1].map(|row| cloth.pin(Node::new(0, row)));
+    [0, SIDE - 1].into_iter().for_each(|row| cloth.pin(Node::new(0, row)));
     cloth
 }
 
