@@ -115,7 +115,7 @@ pub trait Scalar:
     /// The whole number nearest to `self · factor`, ties upward: pixels, tones, depths. The result lies within 32 bits.
     fn round_times(self, factor: i32) -> i32;
 
-    /// What is done to both ends of a link d to undo `part` of its elongation, `part·(1 − L/|d|)·d`.
+    /// What is done to both ends of a link d to undo `part` of its elongation, `part·(1 − L/|d|)·d`; `|part| ≤ 1`.
     #[inline]
     fn correction(d: [Self; 3], rest: &Rest<Self>, part: Self) -> [Self; 3] {
         let part = Self::elongation(squared(d), rest) * part;

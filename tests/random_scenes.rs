@@ -1,15 +1,18 @@
 //! Scenes and states that nobody would write: none panics, none hangs, and what a stable solver moves stays finite.
 //!
-//! `PROPTEST_CASES=100000 cargo test --release --test random_scenes` looks longer. What it finds is kept in `random_scenes.regressions` and tried first.
+//! `PROPTEST_CASES=100000 cargo test --release --test random_scenes` looks longer. What it finds is kept in `random_scenes.regressions` and tried first. The fuzzers of
+//! `tests/fuzz` look where the code has been least; what they keep is played here too.
+
+#[path = "fuzz/file.rs"]
+mod file;
+#[path = "fuzz/state.rs"]
+mod state;
 
 use std::fmt::Write;
+use std::fs;
+use std::path::Path;
 
 use kerchief::host::{BUILT_IN, Description, ScalarKind, SolverKind, Wind, WindModel};
-use kerchief::{
-    AerodynamicWind, BackwardEuler, Bend, Cloth, Damped, Drag, FacetWind, ForwardEuler, Gravity, Leapfrog, Lines, Node,
-    Plane, Q13, Q24, Resting, Scalar, Scene, Shear, Sphere, Stillness, StrainLimited, Stretch, Tether, Units, Vec3,
-    Verlet, Xpbd, measure,
-};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::test_runner::{FailurePersistence, FileFailurePersistence, RngSeed};
@@ -153,63 +156,22 @@ proptest! {
     #![proptest_config(config(100))]
 
     #[test]
-    fn no_bits_of_a_state_panic(bits in proptest::collection::vec(any::<u32>(), 4 * 4 * 7 + 24)) {
-        any_state(&bits, |bits| Q24::from_bits(bits as i32));
-        any_state(&bits, |bits| Q13::from_bits(bits as i32));
-        any_state(&bits, f32::from_bits);
+    fn no_bits_of_a_state_panic(bits in proptest::collection::vec(any::<u32>(), state::NUMBERS)) {
+        state::play_all(&bits.try_into().expect("as many as asked for"));
     }
 }
 
-const UNITS: Units = Units::sheet([4, 4], [1.0, 0.8], 0.01, 0.05, 3);
+/// What the fuzzers found worth keeping: [`fuzz`](https://rust-fuzz.github.io/book/) targets in `tests/fuzz`.
+fn corpus(target: &str) -> Vec<Vec<u8>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fuzz/corpus").join(target);
+    let files = fs::read_dir(&folder).expect("a corpus");
+    let corpus: Vec<_> = files.map(|file| fs::read(file.expect("an entry").path()).expect("a file")).collect();
+    assert!(corpus.len() > 10, "{} is empty", folder.display());
+    corpus
+}
 
-/// A step of everything there is, from a state and with parameters of any bits.
-fn any_state<S: Scalar>(bits: &[u32], number: fn(u32) -> S) {
-    let mut numbers = bits.iter().map(|&bits| number(bits));
-    let mut next = move || numbers.next().expect("enough bits");
-    let mut cloth = Cloth::<S, 4, 4>::lay(&UNITS, UNITS.point([0.0; 3]));
-    cloth.position.change(|_| Vec3::new(next(), next(), next()));
-    cloth.velocity.change(|_| Vec3::new(next(), next(), next()));
-    cloth.inverse_mass.values_mut().for_each(|mass| *mass = next());
-    cloth.pin(Node::new(0, 0));
-    let mut vector = || Vec3::new(next(), next(), next());
-    let mut gravity = Gravity::new(UNITS.acceleration([0.0; 3]));
-    gravity.gain = vector();
-    let mut facets = FacetWind::new(UNITS.facet_wind([0.0; 3]));
-    facets.wind = vector();
-    let mut air = AerodynamicWind::new(UNITS.aerodynamic_wind([0.0; 3], 1.2, 1.2));
-    (air.wind, air.pressure) = (vector(), vector().x);
-    let mut ball = Sphere::new(UNITS.point([0.0; 3]), UNITS.length(0.3), UNITS.length(0.1)).with_friction(vector().x);
-    (ball.centre, ball.velocity) = (vector(), vector());
-    let plane = Plane::new(UNITS.point([0.0; 3]), Vec3::from_f64([0.0, 0.6, 0.8]), UNITS.length(0.1));
-    let stretch = Damped::new(Stretch::new(&UNITS, UNITS.stiffness(1e3)), UNITS.damping(0.1));
-    let Ok(tether) = Tether::<S, 1>::new(&UNITS, &[Node::new(0, 0)], S::ZERO) else { unreachable!("one fits") };
-    let links = (
-        StrainLimited::new(stretch, S::from_f64(0.1)),
-        Shear::new(&UNITS, UNITS.stiffness(1e6)),
-        Bend::new(&UNITS, UNITS.compliance(0.0)),
-        tether,
-    );
-    let forces = (gravity, Drag::new(UNITS.drag(0.5)), facets, air);
-
-    macro_rules! each {
-        ($($solver:expr),*) => {$({
-            let mut scene = Scene::new(&UNITS, forces, links.clone(), (ball, plane), $solver);
-            let (mut sheet, mut memory) = (cloth, scene.memory::<S, 4, 4>());
-            for _ in 0..2 {
-                scene.step(&mut sheet, &mut memory);
-                scene.advance::<S>();
-            }
-            measure::digest(&sheet);
-            measure::strain(&sheet, &scene.links);
-        })*};
-    }
-    each!(
-        Lines::<4>::new(),
-        Xpbd,
-        Verlet { sweeps: 3 },
-        Leapfrog,
-        ForwardEuler,
-        BackwardEuler { newton_steps: 1 },
-        Resting::new(&UNITS, Stillness::DEFAULT, Xpbd)
-    );
+#[test]
+fn what_fuzzers_found_moves() {
+    corpus("step").iter().for_each(|bytes| state::play(bytes));
+    corpus("scene_file").iter().for_each(|bytes| file::play(bytes));
 }

@@ -32,7 +32,7 @@ pub type Q24 = Fixed24<Exact>;
 
 /// The fast one: links are measured to 13 fraction bits, 6·10⁻⁵ cells, for which 32-bit products do. All else has the 24 bits of [`Q24`].
 ///
-/// Links strained by more than 6 %, or shorter than 0.58 cells, take the way of [`Q24`].
+/// Links strained by more than 6 %, or shorter than 0.61 cells, take the way of [`Q24`].
 pub type Q13 = Fixed24<Short>;
 
 const FRACTION: u32 = 24;

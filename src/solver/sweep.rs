@@ -73,9 +73,16 @@ impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
             self.join(a, b, rest, part);
         } else if wa + wb != S::ZERO {
             let d = self.cloth.position.at(b) - self.cloth.position.at(a);
-            let by = d.correction(rest, strength.against(wa + wb));
-            self.displace(a, by * wa);
-            self.displace(b, -(by * wb));
+            let part = strength.against(wa + wb);
+            if !S::FLOATS && part > S::ONE {
+                // between heavy particles: times their inverse masses it is a part again, which fixed point needs
+                self.displace(a, d.correction(rest, part * wa));
+                self.displace(b, -d.correction(rest, part * wb));
+            } else {
+                let by = d.correction(rest, part);
+                self.displace(a, by * wa);
+                self.displace(b, -(by * wb));
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 mod settled;
 mod slow;
+mod still;
 mod wake;
 
 use kerchief::rest::Memory;

@@ -69,6 +69,6 @@ fn blow<S: Scalar>(expected: u32) {
 
 #[test]
 fn a_flag_blows_on() {
-    blow::<Q13>(0x20d2_0c3f);
-    blow::<Q24>(0xc2e9_fe43);
+    blow::<Q13>(0x9f43_dbb6);
+    blow::<Q24>(0x48ec_885d);
 }

@@ -3,6 +3,8 @@
 mod day;
 mod elasticity;
 mod hands;
+mod heavy_pair;
+mod held_row;
 mod materials;
 mod ordeal;
 mod stage;

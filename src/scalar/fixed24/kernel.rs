@@ -22,7 +22,7 @@ pub trait Kernel: Copy + Debug + Default + Ord + Hash + 'static {
     /// `1/x` for x > 0.
     fn reciprocal(x: i32) -> i32;
 
-    /// `part·(1 − L/|d|)·d`.
+    /// `part·(1 − L/|d|)·d` for `|part| ≤ 1`.
     fn correction(d: [i32; 3], rest: &Rest<Fixed24<Self>>, part: i32) -> [i32; 3];
 
     /// `|d| − L` and `d/|d|`.

@@ -32,26 +32,30 @@ struct Edge {
 }
 
 impl Edge {
-    /// The edge of a link near its rest length: `||d|² − L²| ≤ L²/8`, that is a strain within 6 %, for L between 0.58 and 2.8 cells.
+    /// The edge of a link near its rest length: `||d|² − L²| ≤ L²/8`, that is a strain within 6 %, for L between 0.61 and 2.8 cells.
     ///
-    /// For shorter ones L⁻⁷ would not fit.
+    /// For shorter ones the series would overflow.
     ///
     /// Squares wrap at 64 cells²: one link in a hundred that are longer than 7.5 cells is taken for one near its rest length, and moved by less than a cell.
     #[inline(always)]
     fn near(d: [i32; 3], rest: &Rest<Fixed24<Short>>) -> Option<Self> {
         let square = rest.square.to_bits();
-        let near = if (ONE / 3..8 * ONE).contains(&square) { square >> 1 } else { 0 };
+        let near = if (3 * (ONE / 8)..8 * ONE).contains(&square) { square >> 1 } else { 0 };
         let d = each(d, |d| shift(d, FRACTION - EDGE));
         let [x, y, z] = each(d, |d| times(d, d));
         let e = x.wrapping_add(y).wrapping_add(z).wrapping_sub(square.wrapping_shl(2));
         ((e.wrapping_add(near) as u32) < 2 * near as u32).then_some(Self { d, e })
     }
 
-    /// `e·(a − e·(b − e·c))` with 20 fraction bits; a, b, c with 17.
+    /// `e·(a − e·(b − e·c))` with 20 fraction bits; a and b with 17, c with 15.
+    ///
+    /// Nothing overflows: |e| ≤ L²/8·2¹⁶, L² ≥ 3/8, and a part is at most 1. The largest coefficients are those of 1/|d|, in bits a ≤ L⁻³·2¹⁶,
+    /// b ≤ 3·L⁻⁵·2¹⁴ and c ≤ 5·L⁻⁷·2¹¹. So `e·c` ≤ 5/8·L⁻⁵·2²⁷ ≤ 0.91·2³⁰, which adds up to 5/48 to b; `e·(b − e·c)` ≤ 1.11·3/8·L⁻³·2³⁰ ≤ 1.82·2³⁰, which adds
+    /// up to 0.052 to a; and the last product is within 1.06·L⁻¹·2²⁹ ≤ 0.87·2³⁰.
     #[inline(always)]
     fn series(&self, [a, b, c]: [i32; 3]) -> i32 {
         let e = shift(self.e, 10);
-        let inner = b.wrapping_sub(times(e, c) >> 16);
+        let inner = b.wrapping_sub(times(e, c) >> 14);
         let inner = a.wrapping_sub(times(e, inner) >> 16);
         shift(times(e, inner), 13)
     }
@@ -96,6 +100,9 @@ impl Kernel for Short {
     }
 
     /// Right to 5·10⁻⁵.
+    ///
+    /// Nothing overflows: `m·SLOPE < 2¹⁶·2¹⁵`, `m·y < 2³²` as y < 2¹⁶, and with `m·y = 2³¹·(1 − ε)` the last
+    /// product is `y·2¹⁶·(1 + ε) = 2⁴⁷/m·(1 − ε²) ≤ 2³²`, but for a rounding; a test tries every m.
     #[inline(always)]
     fn reciprocal(x: i32) -> i32 {
         const START: u32 = (24 << 16) / 17;
@@ -121,7 +128,7 @@ impl Kernel for Short {
         let once = Self::multiply(part, rest.inverse_square.to_bits());
         let twice = Self::multiply(once, rest.inverse_square.to_bits());
         let thrice = Self::multiply(twice, rest.inverse_square.to_bits());
-        let part = edge.series([once >> 8, (twice >> 10) * 3, (thrice >> 11) * 5]);
+        let part = edge.series([once >> 8, (twice >> 10) * 3, (thrice >> 13) * 5]);
         each(edge.d, |d| shift(times(d, part), 9))
     }
 
@@ -134,14 +141,15 @@ impl Kernel for Short {
         let fifth = Self::multiply(third, square);
         let seventh = Self::multiply(fifth, square);
         // L·(√(1 + ε) − 1) and (1 − 1/√(1 + ε))/L
-        let excess = edge.series([inverse >> 8, third >> 10, fifth >> 11]);
-        let less = edge.series([third >> 8, (fifth >> 10) * 3, (seventh >> 11) * 5]);
+        let excess = edge.series([inverse >> 8, third >> 10, fifth >> 13]);
+        let less = edge.series([third >> 8, (fifth >> 10) * 3, (seventh >> 13) * 5]);
         let inverse = shift(inverse, 7).wrapping_sub(shift(less, 3));
         (excess << 4, each(edge.d, |d| shift(times(d, inverse), 6)))
     }
 
     #[inline(always)]
     fn cosine(a: [i32; 3], b: [i32; 3]) -> i32 {
+        // components are within 1.01·2¹⁵, the sum of their products by Cauchy and Schwarz within 1.03·2³⁰
         let product = |k: usize| times(shift(a[k], 9), shift(b[k], 9));
         shift(product(0).wrapping_add(product(1)).wrapping_add(product(2)), 6)
     }
@@ -183,7 +191,7 @@ mod tests {
     #[test]
     fn links_agree_with_f64_over_the_whole_range() {
         let unit = [0.36, -0.48, 0.8];
-        for length in [0.37, 0.6, 1.0, core::f64::consts::SQRT_2, 2.0] {
+        for length in [0.37, 0.6, 0.65, 0.71, 1.0, core::f64::consts::SQRT_2, 2.0] {
             let rest = Rest::<Q13>::spanning(Q13::from_f64(length), Q13::ZERO);
             let mut stretch = 0.1;
             while stretch * length < 7.0 {
@@ -225,5 +233,45 @@ mod tests {
         let rest = Rest::<Q13>::spanning(Q13::ONE, Q13::ZERO);
         assert_eq!(Q13::correction([Q13::ZERO; 3], &rest, Q13::HALF), [Q13::ZERO; 3]);
         assert_eq!(Q13::direction([Q13::ZERO; 3], &rest), (-Q13::ONE, [Q13::ZERO; 3]));
+    }
+
+    /// Every reciprocal of a pivot: the upper 16 bits decide.
+    #[test]
+    fn every_reciprocal_is_right_to_its_bound() {
+        for exponent in 0..2 {
+            for m in 1 << 15..1 << 16 {
+                // the least and the largest number of these bits
+                for x in [m << 9 << exponent, ((m + 1) << 9 << exponent) - 1] {
+                    let expected = f64::from(ONE) * f64::from(ONE) / f64::from(x);
+                    assert!((f64::from(Short::reciprocal(x)) / expected - 1.0).abs() < 5e-5, "{x}");
+                }
+            }
+        }
+    }
+
+    /// Where the proofs beside the code are tightest: the shortest and the longest link of the fast way, strained as far as it goes, with the largest part.
+    #[test]
+    fn nothing_overflows_at_the_corners() {
+        for length in [0.613, 0.65, 0.6667, 0.7072, 1.0, 2.0, 2.82] {
+            let rest = Rest::<Q13>::spanning(Q13::from_f64(length), Q13::ZERO);
+            for strain in [-0.064, -0.06, 0.05, 0.06] {
+                for axis in 0..3 {
+                    let mut d = [Q13::ZERO; 3];
+                    d[axis] = Q13::from_f64(length * (1.0 + strain));
+                    let (excess, normal) = Q13::direction(d, &rest);
+                    // roundings, and what the series leave out
+                    let bound = 1.3e-4 + 5.0 * strain.powi(4) * length;
+                    assert!((excess.to_f64() - length * strain).abs() < bound, "{length} × {strain}: {excess:?}");
+                    assert!(
+                        (normal[axis].to_f64() - 1.0).abs() < 2.5 * bound / length,
+                        "{length} × {strain}: {normal:?}"
+                    );
+                    for part in [-1.0, 0.5, 1.0] {
+                        let by = Q13::correction(d, &rest, Q13::from_f64(part))[axis].to_f64();
+                        assert!((by - part * length * strain).abs() < 2.0 * bound, "{length} × {strain}, {part}: {by}");
+                    }
+                }
+            }
+        }
     }
 }

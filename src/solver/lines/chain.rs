@@ -72,6 +72,9 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut worst = S::ZERO;
         if W > 1 {
             for row in 0..H {
+                if self.ordinary.held[row] {
+                    continue; // nor is what pins are strained by a reason to sweep on
+                }
                 let tension = &mut tension.0[row];
                 worst = worst.max(if const { skips_masses::<S>() } && self.ordinary.rows[row] {
                     self.row::<true>(cloth, row, tension)
