@@ -41,7 +41,8 @@ fn the_pico_shows_what_a_host_computes() {
             show.press();
         }
         assert!((before + 1..=before + 2).contains(step), "{before} is followed by {step}");
-        (before..*step).for_each(|_| assert!(show.step()));
+        // of two steps the second may find the sheet at rest
+        assert!((before..*step).fold(false, |changed, _| changed | show.step()), "a picture of nothing new");
         before = *step;
         if plan.shots.contains(&picture) {
             let shot = shots.next().expect("a shot of this picture");
