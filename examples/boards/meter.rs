@@ -36,7 +36,7 @@ impl Meter {
 
     /// Pictures in a second of `frequency` cycles, since `gone` cycles.
     pub(crate) fn rate(&self, frequency: u32, gone: u32) -> u32 {
-        (u64::from(self.pictures) * u64::from(frequency) / u64::from(gone.max(1))) as u32
+        ((u64::from(self.pictures) * u64::from(frequency) + u64::from(gone / 2)) / u64::from(gone.max(1))) as u32
     }
 
     /// Logs the means, and starts anew. `rate` is of pictures, in a second.

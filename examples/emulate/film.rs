@@ -9,8 +9,8 @@ use gif::{Encoder, Frame, Repeat};
 use crate::gdb::Result;
 use crate::pico::{SIDE, picture};
 
-/// Writes pictures one after another, forever, each as long as it stays on the display. Steps are thirtieths of a second.
-pub(crate) fn save(shots: &[Vec<u16>], steps: &[u32], path: &Path) -> Result<()> {
+/// Writes pictures one after another, forever, each as long as it stays on the display, `rate` steps a second.
+pub(crate) fn save(shots: &[Vec<u16>], steps: &[u32], rate: u32, path: &Path) -> Result<()> {
     let pictures: Vec<_> = shots.iter().map(|shot| picture(shot)).collect();
     let sample: Vec<u8> = pictures
         .iter()
@@ -22,7 +22,7 @@ pub(crate) fn save(shots: &[Vec<u16>], steps: &[u32], path: &Path) -> Result<()>
     let side = SIDE as u16;
     let mut encoder = Encoder::new(File::create(path)?, side, side, &quantizer.color_map_rgb())?;
     encoder.set_repeat(Repeat::Infinite)?;
-    let hundredths = |step: u32| step * 100 / 30;
+    let hundredths = |step: u32| step * 100 / rate;
     let mut before = 0;
     for (picture, step) in pictures.iter().zip(steps) {
         let indices: Vec<u8> =

@@ -1,13 +1,17 @@
-//! Runs a board's example in an emulator: its log appears here, its display in a file.
+//! Runs a board's example in an emulator: what it says appears here, its display in a file.
 //!
 //! ```sh
 //! cargo emulate oled --png oled.png
 //! ```
 #![allow(missing_docs, reason = "a program")]
 
+mod feather;
 mod film;
 mod firmware;
 mod gdb;
+#[path = "../microbit/leds.rs"]
+mod leds;
+mod microbit;
 mod oled;
 mod photograph;
 mod pico;
@@ -43,6 +47,10 @@ struct Arguments {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Board {
+    /// STM32F405, a table over the serial port, in QEMU
+    Feather,
+    /// BBC micro:bit, 5 × 5 LEDs, in QEMU
+    Microbit,
     /// LM3S6965 evaluation board, OLED of 128 × 64 pixels, in QEMU
     Oled,
     /// Raspberry Pi Pico, LCD of 240 × 240 pixels, in rp2040js
@@ -62,13 +70,38 @@ fn main() -> ExitCode {
 
 fn run(arguments: &Arguments) -> Result<()> {
     match arguments.board {
+        Board::Feather => feather::run(|line| println!("{line}")),
+        Board::Microbit => run_microbit(arguments),
         Board::Oled => run_oled(arguments),
         Board::Pico => run_pico(arguments),
     }
 }
 
+fn run_microbit(arguments: &Arguments) -> Result<()> {
+    let mut board = microbit::start()?;
+    loop {
+        let step = board.picture()?;
+        let levels = microbit::levels(&mut board)?;
+        if let Some(path) = &arguments.png {
+            save(&microbit::photograph(&levels), path)?;
+        }
+        if step >= arguments.steps {
+            board.log()?.iter().for_each(|line| println!("{line}"));
+            return end(&mut board);
+        }
+    }
+}
+
+/// Says how much stack was used, and what was wrong.
+fn end(board: &mut Qemu) -> Result<()> {
+    let [used, size] = board.stack()?;
+    println!("{used} of {size} bytes of stack were used");
+    let errors = board.errors()?;
+    if errors.is_empty() { Ok(()) } else { Err(errors.into()) }
+}
+
 fn run_oled(arguments: &Arguments) -> Result<()> {
-    let mut board = Qemu::start(oled::MACHINE, &oled::build(), arguments.shift)?;
+    let mut board = Qemu::start(oled::MACHINE, None, &oled::build(), arguments.shift)?;
     let mut logged = 0;
     loop {
         let step = board.picture()?;
@@ -86,17 +119,14 @@ fn run_oled(arguments: &Arguments) -> Result<()> {
             save(&photograph::photograph(&picture, 5, 1), path)?;
         }
         if last {
-            let [used, size] = board.stack()?;
-            println!("{used} of {size} bytes of stack were used");
-            let errors = board.errors()?;
-            return if errors.is_empty() { Ok(()) } else { Err(errors.into()) };
+            return end(&mut board);
         }
     }
 }
 
 fn run_pico(arguments: &Arguments) -> Result<()> {
     let shots = if arguments.gif.is_some() { (1..=arguments.steps as usize).collect() } else { Vec::new() };
-    let run = pico::run(&pico::build(), &pico::Plan { until: arguments.steps, shots, presses: Vec::new() })?;
+    let run = pico::run(&pico::build(), &pico::Plan { until: Some(arguments.steps), shots, presses: Vec::new() })?;
     run.log.iter().for_each(|line| println!("{line}"));
     let [used, size] = run.stack;
     println!("{used} of {size} bytes of stack were used");
@@ -107,7 +137,7 @@ fn run_pico(arguments: &Arguments) -> Result<()> {
         save(&photograph::photograph(&pico::picture(last), 2, 0), path)?;
     }
     if let Some(path) = &arguments.gif {
-        film::save(&run.shots, &run.steps, path)?;
+        film::save(&run.shots, &run.steps, pico::RATE, path)?;
     }
     Ok(())
 }

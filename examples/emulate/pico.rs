@@ -18,6 +18,9 @@ use crate::program::{PAINT, Program};
 const TARGET: &str = "thumbv6m-none-eabi";
 /// The emulator's package.
 const EMULATOR: &str = "rp2040js@1.4.1";
+/// Steps in a second, as the example has them.
+#[allow(dead_code, reason = "tests know the example itself")]
+pub(crate) const RATE: u32 = 42;
 /// Pixels a side.
 pub(crate) const SIDE: u32 = 240;
 const FLASH: u32 = 0x1000_0000;
@@ -25,8 +28,8 @@ const FLASH: u32 = 0x1000_0000;
 /// What is done while the program runs: pictures are counted from one.
 #[derive(Clone, Debug, Default, Serialize)]
 pub(crate) struct Plan {
-    /// The step whose picture is the last.
-    pub(crate) until: u32,
+    /// The step whose picture is the last; without one, the sheet comes to rest.
+    pub(crate) until: Option<u32>,
     /// After which pictures, beside the last, the display is looked at.
     pub(crate) shots: Vec<usize>,
     /// After which pictures the button goes down or up.
@@ -43,6 +46,9 @@ pub(crate) struct Run {
     pub(crate) log: Vec<String>,
     /// Bytes of stack that were used, and all.
     pub(crate) stack: [usize; 2],
+    /// Bytes that the display received in a second of rest, if it came to that.
+    #[allow(dead_code, reason = "for the tests")]
+    pub(crate) idle: Option<u32>,
     /// What was wrong with what the display or the chip was told.
     pub(crate) errors: Vec<String>,
 }
@@ -54,6 +60,7 @@ struct Output {
     log: Vec<u8>,
     stack: Vec<u8>,
     on: bool,
+    idle: Option<u32>,
     errors: Vec<String>,
 }
 
@@ -97,6 +104,7 @@ pub(crate) fn run(path: &Path, plan: &Plan) -> Result<Run> {
         shots: output.shots,
         log: program.decode(&output.log)?,
         stack: [output.stack.len() - unused, output.stack.len()],
+        idle: output.idle,
         errors: output.errors,
     })
 }

@@ -21,12 +21,15 @@ pub(crate) struct Qemu {
     /// Where pictures end, and where errors do.
     stops: [u32; 2],
     log: Vec<u8>,
+    traced: Option<&'static str>,
+    /// Lines of the emulator's notes that were read.
+    read: usize,
     work: TempDir,
 }
 
 impl Qemu {
-    /// Starts a program on a machine where an instruction takes 2^`shift` nanoseconds.
-    pub(crate) fn start(machine: &str, program: &Path, shift: u32) -> Result<Self> {
+    /// Starts a program on a machine where an instruction takes 2^`shift` nanoseconds. What happens of the kind `traced` is noted.
+    pub(crate) fn start(machine: &str, traced: Option<&'static str>, program: &Path, shift: u32) -> Result<Self> {
         let work = tempfile::tempdir()?;
         let [gdb, monitor, errors] = ["gdb", "monitor", "errors"].map(|name| work.path().join(name));
         let process = Command::new("qemu-system-arm")
@@ -39,13 +42,14 @@ impl Qemu {
             .arg(format!("unix:{},server=on,wait=off", monitor.display()))
             .arg("-kernel")
             .arg(program)
+            .args(traced.iter().flat_map(|event| ["-trace", event]))
             .stdin(Stdio::null())
             .spawn()
             .map_err(|error| format!("qemu-system-arm: {error}"))?;
         let program = Program::read(program)?;
         let stops = [program.address("shown")?, program.address("HardFault")?];
         let (gdb, monitor) = (Gdb::connect(&gdb)?, BufReader::new(patiently(&monitor)?));
-        let mut qemu = Self { process, gdb, monitor, program, stops, log: Vec::new(), work };
+        let mut qemu = Self { process, gdb, monitor, program, stops, log: Vec::new(), traced, read: 0, work };
         qemu.prompt()?;
         for stop in stops {
             qemu.gdb.set_breakpoint(stop)?;
@@ -111,8 +115,30 @@ impl Qemu {
         self.program.decode(&self.log)
     }
 
+    /// What was traced since the last question, without its name.
+    pub(crate) fn trace(&mut self) -> Result<Vec<String>> {
+        let (notes, read) = (self.notes()?, self.read);
+        self.read = notes.lines().count();
+        let name = self.traced.unwrap_or_default();
+        let traced =
+            notes.lines().skip(read).filter_map(|line| line.strip_prefix(name)).map(|line| line.trim().to_owned());
+        Ok(traced.collect())
+    }
+
     /// What the emulator found wrong with how the program treats the board.
     pub(crate) fn errors(&self) -> Result<String> {
+        /// The micro:bit is reset before its flash is there, and again with it.
+        const EARLY: &str = ", size 4, region '(null)', reason: rejected";
+        let early = ["0x0", "0x4"].map(|at| format!("Invalid read at addr {at}{EARLY}"));
+        let wrong = |(index, line): &(usize, &str)| {
+            let traced = self.traced.is_some_and(|name| line.starts_with(name));
+            !traced && early.get(*index).is_none_or(|early| early != line)
+        };
+        let notes = self.notes()?;
+        Ok(notes.lines().enumerate().filter(wrong).map(|(_, line)| format!("{line}\n")).collect())
+    }
+
+    fn notes(&self) -> Result<String> {
         Ok(std::fs::read_to_string(self.work.path().join("errors"))?)
     }
 

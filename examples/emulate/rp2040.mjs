@@ -1,8 +1,9 @@
 // Runs a program on an emulated Raspberry Pi Pico with an LCD, from one picture to the next.
 //
 // node rp2040.mjs PACKAGE FLASH ORDERS: the folder of rp2040js, the flash's contents, and a JSON file
-// { stop, failed, log, stack: [end, start], until, shots: [picture, …], presses: [[picture, down], …] } with addresses of the program, the last step and numbers of pictures.
-// Prints JSON: { steps, shots: [[pixel, …], …], log: [byte, …], stack: [byte, …], on, errors }.
+// { stop, failed, log, stack: [end, start], until, shots: [picture, …], presses: [[picture, down], …] } with addresses of the program, the last step (null: all until a
+// second passes without a picture) and numbers of pictures.
+// Prints JSON: { steps, shots: [[pixel, …], …], log: [byte, …], stack: [byte, …], on, idle, errors }: idle is how many bytes went to the display in that second.
 import { readFile } from 'node:fs/promises';
 import { argv, stdout } from 'node:process';
 import { pathToFileURL } from 'node:url';
@@ -107,7 +108,9 @@ const lcd = new Lcd();
 const spi = chip.spi[0];
 // a frame takes its time on the wires
 const arrived = clock.createAlarm(() => spi.completeTransmit(0));
+let bytes = 0;
 spi.onTransmit = (value) => {
+    bytes += spi.dataBits / 8;
     if (chip.gpio[SELECT].value === GPIOPinState.Low && chip.gpio[RESET].value === GPIOPinState.High) {
         const isData = chip.gpio[DATA].value === GPIOPinState.High;
         if (spi.dataBits === 16) lcd.byte(value >> 8, isData);
@@ -132,6 +135,8 @@ function advance() {
     if (!core.waiting || core.interruptsUpdated) clock.tick(core.executeInstruction() * NANOSECONDS_OF_A_CYCLE);
 }
 
+const PATIENCE = 1e9;
+let [shown, idle] = [0, null];
 const steps = [];
 const shots = [];
 while (errors.length < 20) {
@@ -140,11 +145,18 @@ while (errors.length < 20) {
         // an interrupt comes back to the same place
         if (steps.at(-1) === core.registers[0]) { advance(); continue; }
         steps.push(core.registers[0]);
+        [shown, bytes] = [clock.nanos, 0];
         drain();
-        const last = steps.at(-1) >= orders.until;
+        const last = orders.until !== null && steps.at(-1) >= orders.until;
         if (last || orders.shots.includes(steps.length)) shots.push(Array.from(lcd.memory));
         if (last) break;
         for (const [picture, down] of orders.presses) if (picture === steps.length) chip.gpio[BUTTON].setInputValue(!down);
+    } else if (steps.length > 0 && clock.nanos - shown > PATIENCE) {
+        if (orders.until !== null) wrong('no picture for a second');
+        drain();
+        idle = bytes;
+        shots.push(Array.from(lcd.memory));
+        break;
     } else if (at === orders.failed) {
         drain();
         wrong('the program failed');
@@ -153,4 +165,4 @@ while (errors.length < 20) {
     advance();
 }
 const [end, start] = orders.stack.map((address) => address - RAM);
-stdout.write(JSON.stringify({ steps, shots, log, stack: Array.from(chip.sram.subarray(end, start)), on: lcd.on, errors }));
+stdout.write(JSON.stringify({ steps, shots, log, stack: Array.from(chip.sram.subarray(end, start)), on: lcd.on, idle, errors }));

@@ -21,7 +21,7 @@
 //! cargo run --profile board --features pico --target thumbv6m-none-eabi --example pico     # on a Pico with a probe
 //! ```
 //!
-//! A step is a 36th of a second. Where pictures take longer, two steps are made up between them and the rest is dropped. At rest there is neither a step nor a
+//! A step is a 42nd of a second. Where pictures take longer, two steps are made up between them and the rest is dropped. At rest there is neither a step nor a
 //! byte for the display: the processor sleeps. The log goes through RTT.
 #![no_std]
 #![no_main]

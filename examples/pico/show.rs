@@ -7,7 +7,7 @@ use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::ascii::FONT_7X13;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle};
 use embedded_graphics::text::{Baseline, Text};
 use heapless::String;
 use kerchief::render::pattern::{CELL, Pattern, Place};
@@ -21,17 +21,17 @@ use crate::breeze::Breeze;
 /// Particles a side.
 const SIDE: usize = 16;
 /// Steps in a second.
-pub(crate) const RATE: u32 = 36;
+pub(crate) const RATE: u32 = 42;
 /// The display.
 pub(crate) const SCREEN: Size = Size::new(240, 240);
 
 /// Substeps of a step: with fewer, more links are strained beyond 6 %, where those of [`Q13`] cost several times as much.
-const SUBSTEPS: u32 = 3;
-/// A flag of 18 m × 12 m. Row 0 is at the pole: links between particles of mass 1 cost less, and only this row has others.
-const UNITS: Units = Units::sheet([SIDE, SIDE], [12.0, 18.0], 0.05, 1.0 / RATE as f64, SUBSTEPS);
-const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.6, -2.4, -15.0]), UNITS.point([17.4, 2.4, 1.8]), SCREEN);
-/// A cloth on two corners creeps long before it stands: what is slower than 2 cm/s for a second rests.
-const STILL: Stillness = Stillness { speed: 0.02, acceleration: 0.02, time: 1.0 };
+const SUBSTEPS: u32 = 2;
+/// A flag of 24 m × 16 m: the larger, the less a step strains it. Row 0 is at the pole: links between particles of mass 1 cost less, and only this row has others.
+const UNITS: Units = Units::sheet([SIDE, SIDE], [16.0, 24.0], 0.05, 1.0 / RATE as f64, SUBSTEPS);
+const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.8, -3.2, -20.0]), UNITS.point([23.2, 3.2, 2.4]), SCREEN);
+/// What moves by less than two pixels a second rests: 20 cm/s. `Q13` lets a stretched cloth tremble by a quarter of that.
+const STILL: Stillness = Stillness { speed: 0.2, acceleration: 0.2, time: 0.5 };
 /// 1 m/s as a [`Breeze`] has it.
 const METRE: i32 = (UNITS.velocity([1.0, 0.0, 0.0]).0[0] * 8192.0) as i32;
 
@@ -86,7 +86,7 @@ impl Play {
 
     /// The wind after so many steps, as a [`Breeze`] has it.
     fn wind(self, step: u32) -> [i32; 3] {
-        let phase = step * 5 / 6;
+        let phase = step * 5 / 7;
         let [along, across, up] = match self {
             Self::Gusts => [
                 768 + 2 * wave(phase * 2) + wave(phase * 3 + 40) * 3 / 2,
@@ -96,8 +96,8 @@ impl Play {
             Self::Breeze => [900, 2 * wave(phase * 4), wave(phase * 3) / 2],
             Self::Corners => [0; 3],
         };
-        // in 128ths of a metre a second
-        [along, across, up].map(|speed| speed * METRE >> 7)
+        // in 96ths of a metre a second
+        [along, across, up].map(|speed| speed * METRE / 96)
     }
 }
 
@@ -187,12 +187,14 @@ impl Show {
         }
         let [left, right] = self.corners;
         for (k, tone) in (0..).zip(POLE) {
-            let stripe = if self.play == Play::Corners {
-                Rectangle::new(Point::new(left.x - 8, left.y - 4 + k), Size::new((right.x - left.x) as u32 + 16, 1))
+            let color = D::Color::nearest(tone);
+            if self.play == Play::Corners {
+                let [left, right] = [left + Point::new(-8, k - 3), right + Point::new(8, k - 4)];
+                Line::new(left, right).into_styled(PrimitiveStyle::with_stroke(color, 1)).draw(target)?;
             } else {
-                Rectangle::new(Point::new(left.x - 4 + k, 30), Size::new(1, SCREEN.height))
-            };
-            target.fill_solid(&stripe, D::Color::nearest(tone))?;
+                let stripe = Rectangle::new(Point::new(left.x - 4 + k, 30), Size::new(1, SCREEN.height));
+                target.fill_solid(&stripe, color)?;
+            }
         }
         if area.intersection(&NOTE).is_zero_sized() {
             return Ok(());
@@ -228,7 +230,8 @@ fn folds() -> Cloth<Q13, SIDE, SIDE> {
 /// An upright sheet. `place` says where each of its rows is, from the pole and out of line, in the distance of rows.
 fn spread(place: impl Fn(usize) -> [Q13; 2]) -> Cloth<Q13, SIDE, SIDE> {
     let mut cloth = Cloth::<Q13, SIDE, SIDE>::hang(&UNITS, UNITS.point([0.0; 3]));
-    for row in 0..SIDE {
+    // row 0 last: it says how far down the columns are
+    for row in (0..SIDE).rev() {
         let [along, out] = place(row);
         for column in 0..SIDE {
             let down = cloth.position.at(Node::new(column, 0)).x;

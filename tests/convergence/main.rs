@@ -6,4 +6,5 @@ mod reference;
 mod rig;
 
 mod agreement;
+mod floors;
 mod orders;

@@ -5,6 +5,7 @@ use embedded_graphics::pixelcolor::{Gray4, GrayColor};
 use embedded_graphics_simulator::SimulatorDisplay;
 use kerchief::measure;
 
+use crate::figures::{self, Figures};
 use crate::oled_board::{MACHINE, build, greys};
 use crate::oled_show::{SCREEN, Show, Stick};
 use crate::qemu::Qemu;
@@ -21,7 +22,7 @@ const FREE: Stick = Stick { right: 0, away: 0 };
 
 #[test]
 fn the_oled_shows_what_a_host_computes() {
-    let mut board = Qemu::start(MACHINE, &build(), 0).unwrap();
+    let mut board = Qemu::start(MACHINE, None, &build(), 0).unwrap();
     let mut show = Show::new();
     for step in 1..=120 {
         assert_eq!(board.picture().unwrap(), step, "a picture for every step");
@@ -37,6 +38,7 @@ fn the_oled_shows_what_a_host_computes() {
     let instructions = report.cycles.map(|cycles| cycles * INSTRUCTIONS_OF_A_CYCLE);
     println!("instructions to simulate, sort, fill, transfer: {instructions:?}");
     assert!(instructions.iter().sum::<u32>() <= GOAL, "{instructions:?}");
+    figures::check("oled", &Figures { parts: instructions, rate: report.rate });
 
     // to its rest, from which the joystick wakes it
     let mut step = 120;
@@ -71,7 +73,7 @@ fn the_oled_shows_what_a_host_computes() {
 /// Where an instruction takes 128 ns, a picture takes five steps: two are made, three dropped.
 #[test]
 fn a_slow_oled_drops_steps_and_moves_as_ever() {
-    let mut board = Qemu::start(MACHINE, &build(), 7).unwrap();
+    let mut board = Qemu::start(MACHINE, None, &build(), 7).unwrap();
     let mut show = Show::new();
     let (mut step, mut pictures) = (0, 0);
     while step < 120 {

@@ -6,51 +6,64 @@ use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
 use embedded_graphics_simulator::SimulatorDisplay;
 use kerchief::measure;
 
+use crate::figures::{self, Figures};
 use crate::pico_board::{Plan, SIDE, build, run};
 use crate::pico_show::{SCREEN, Show};
 use crate::report::reports;
 
-/// Steps.
-const STEPS: u32 = 120;
 /// Bytes of stack that may be used.
 const STACK: usize = 48 << 10;
-/// After this picture the button is pressed, and after that one released.
-const PRESSED: (usize, usize) = (30, 32);
+/// After these pictures the button is pressed, and two pictures later released.
+const PRESSED: [usize; 2] = [100, 110];
+/// 125 MHz.
+const FREQUENCY: u32 = 125_000_000;
+/// Pictures in a second, at least.
+const RATE: u32 = 30;
+/// Cycles to simulate for a picture, at most: 6 ms.
+const SIMULATE: u32 = FREQUENCY / 1000 * 6;
 
 #[test]
 fn the_pico_shows_what_a_host_computes() {
-    let plan = Plan {
-        until: STEPS,
-        shots: vec![1, 2, 20, 40, usize::MAX],
-        presses: vec![(PRESSED.0, true), (PRESSED.1, false)],
-    };
+    let presses = PRESSED.into_iter().flat_map(|picture| [(picture, true), (picture + 2, false)]).collect();
+    let plan = Plan { until: None, shots: vec![1, 2, 20, 60, 90, 101, 111, 125], presses };
     let run = run(&build(), &plan).unwrap();
     assert_eq!(run.errors, [""; 0]);
-    println!("{} pictures of {STEPS} steps; {:?} bytes of stack; {:?}", run.steps.len(), run.stack, run.log);
+    println!("{} pictures; {:?} bytes of stack; {:#?}", run.steps.len(), run.stack, run.log);
     assert!(run.stack[0] <= STACK, "{:?}", run.stack);
     let reports = reports(&run.log);
-    assert_eq!(reports.len(), 2, "a line for every 60 steps");
 
     let mut show = Show::new();
     let mut shots = run.shots.iter();
     let mut before = 0;
     for (picture, step) in (1..).zip(&run.steps) {
         // the board looks at its button before it makes a picture's steps
-        if picture == PRESSED.0 + 1 {
+        if PRESSED.contains(&(picture - 1)) {
             show.press();
         }
         assert!((before + 1..=before + 2).contains(step), "{before} is followed by {step}");
         (before..*step).for_each(|_| assert!(show.step()));
         before = *step;
-        if let Some(report) = reports.get(step) {
-            assert_eq!(report.digest, measure::digest(&show.cloth), "after step {step}");
-        }
-        if plan.shots.contains(&picture) || picture == run.steps.len() {
+        if plan.shots.contains(&picture) {
             let shot = shots.next().expect("a shot of this picture");
             assert_same_picture(shot, &mut show, *step);
         }
+        if let Some(report) = reports.get(step) {
+            assert_eq!(report.digest, measure::digest(&show.cloth), "after step {step}");
+            // what it shows from the next picture on
+            show.note(report.rate);
+        }
     }
-    assert!(before >= STEPS && shots.next().is_none());
+    assert_same_picture(shots.next().expect("a shot at rest"), &mut show, before);
+    assert!(!show.step(), "the board rests before the host");
+    assert_eq!(run.idle, Some(0), "bytes to the display at rest");
+
+    // the second line of the log: a flag in gusts, without what the start costs
+    let gusts = reports.values().nth(1).expect("two lines");
+    let [cycles, rate] = [gusts.cycles.iter().sum::<u32>(), gusts.rate];
+    println!("{:?} cycles to simulate, sort, fill, transfer: {cycles}; {rate} pictures a second", gusts.cycles);
+    assert!(rate >= RATE, "{rate} pictures a second");
+    assert!(gusts.cycles[0] <= SIMULATE, "{:?}", gusts.cycles);
+    figures::check("pico", &Figures { parts: gusts.cycles, rate });
 }
 
 fn assert_same_picture(shot: &[u16], show: &mut Show, step: u32) {

@@ -7,6 +7,8 @@ use std::collections::BTreeMap;
 pub(crate) struct Report {
     pub(crate) digest: u32,
     pub(crate) pictures: u32,
+    /// Pictures in a second.
+    pub(crate) rate: u32,
     pub(crate) dropped: u32,
     /// Of a picture: simulate, sort, fill, transfer.
     pub(crate) cycles: [u32; 4],
@@ -25,6 +27,7 @@ fn parse(line: &str) -> Option<(u32, Report)> {
     let report = Report {
         digest: u32::from_str_radix(value("digest")?, 16).ok()?,
         pictures: number("pictures")?,
+        rate: number("rate")?,
         dropped: number("dropped")?,
         cycles: cycles.try_into().ok()?,
     };

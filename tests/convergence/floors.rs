@@ -1,0 +1,46 @@
+//! What every number type loses to rounding, by every solver.
+
+use kerchief::{Q13, Q24, Scalar};
+
+use crate::reference::State;
+use crate::rig::scenes::corners;
+use crate::rig::{Method, Pace, error, moved};
+
+/// Every solver, its substeps of 0.1 s, and how far it may be from itself in `f64` in `f32`, `Q24` and `Q13`, sheet sizes. Steps are as long as each holds:
+/// the shorter they are the weaker a force is that fixed point leaves out.
+const FLOORS: [(Method, u32, [f64; 3]); 7] = [
+    (Method::ForwardEuler, 512, [1e-9, 1e-9, 1e-9]),
+    (Method::BackwardEuler, 16, [1e-9, 1e-9, 1e-9]),
+    (Method::Leapfrog, 32, [1e-9, 1e-9, 1e-9]),
+    (Method::Verlet(4), 16, [1e-9, 1e-9, 1e-9]),
+    (Method::Xpbd, 16, [1e-9, 1e-9, 1e-9]),
+    (Method::Lines(1), 16, [1e-9, 1e-9, 1e-9]),
+    (Method::LinesMindful, 16, [1e-9, 1e-9, 1e-9]),
+];
+
+/// The sheet after each of twenty frames.
+fn frames<S: Scalar>(method: Method, substeps: u32) -> Vec<State> {
+    let mut motion = moved::<S, 8, 8>(&corners(8), Pace::new(0.1, substeps), method);
+    (0..20)
+        .map(|_| {
+            motion.run(1);
+            motion.state()
+        })
+        .collect()
+}
+
+#[test]
+fn rounding_stays_below_every_solvers_floor() {
+    let model = corners(8);
+    for (method, substeps, floors) in FLOORS {
+        let exact = frames::<f64>(method, substeps);
+        let off = |found: Vec<State>| {
+            found.iter().zip(&exact).map(|(found, exact)| error(&model, found, exact)).fold(0.0, f64::max)
+        };
+        let found = [frames::<f32>, frames::<Q24>, frames::<Q13>].map(|frames| off(frames(method, substeps)));
+        println!("{method:?} × {substeps}: {found:?}");
+        for ((number, found), floor) in ["f32", "q24", "q13"].into_iter().zip(found).zip(floors) {
+            assert!(found <= floor, "{method:?} in {number}: {found:e} sheet sizes from f64");
+        }
+    }
+}
