@@ -7,7 +7,7 @@ const STEPS: u32 = 64;
 const PARTICLES: usize = 64;
 
 /// Reads a file and plays the scene that it describes in every number type that holds it.
-pub fn play(bytes: &[u8]) {
+pub(crate) fn play(bytes: &[u8]) {
     let Ok(text) = core::str::from_utf8(bytes) else { return };
     let scene = match Description::parse(text) {
         Ok(scene) => scene,
