@@ -9,13 +9,13 @@ use crate::rig::{Method, Pace, error, moved};
 /// Every solver, its substeps of 0.1 s, and how far it may be from itself in `f64` in `f32`, `Q24` and `Q13`, sheet sizes. Steps are as long as each holds:
 /// the shorter they are the weaker a force is that fixed point leaves out.
 const FLOORS: [(Method, u32, [f64; 3]); 7] = [
-    (Method::ForwardEuler, 512, [1e-9, 1e-9, 1e-9]),
-    (Method::BackwardEuler, 16, [1e-9, 1e-9, 1e-9]),
-    (Method::Leapfrog, 32, [1e-9, 1e-9, 1e-9]),
-    (Method::Verlet(4), 16, [1e-9, 1e-9, 1e-9]),
-    (Method::Xpbd, 16, [1e-9, 1e-9, 1e-9]),
-    (Method::Lines(1), 16, [1e-9, 1e-9, 1e-9]),
-    (Method::LinesMindful, 16, [1e-9, 1e-9, 1e-9]),
+    (Method::ForwardEuler, 512, [2e-5, 6e-3, 6e-3]),
+    (Method::BackwardEuler, 16, [1e-5, 1e-5, 2e-3]),
+    (Method::Leapfrog, 32, [2e-6, 3e-5, 3e-5]),
+    (Method::Verlet(4), 16, [1e-5, 3e-5, 4e-4]),
+    (Method::Xpbd, 16, [1e-5, 1e-5, 1e-4]),
+    (Method::Lines(1), 16, [1e-5, 3e-5, 3e-3]),
+    (Method::LinesMindful, 16, [1e-5, 3e-5, 3e-3]),
 ];
 
 /// The sheet after each of twenty frames.
