@@ -153,18 +153,21 @@ pub trait Scalar:
     fn is_finite(self) -> bool;
 
     /// The magnitude.
+    #[inline]
     #[must_use]
     fn abs(self) -> Self {
         if self < Self::ZERO { -self } else { self }
     }
 
     /// The larger of two numbers.
+    #[inline]
     #[must_use]
     fn max(self, other: Self) -> Self {
         if other > self { other } else { self }
     }
 
     /// The smaller of two numbers.
+    #[inline]
     #[must_use]
     fn min(self, other: Self) -> Self {
         if other < self { other } else { self }

@@ -176,17 +176,20 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             },
             self.moment,
         );
-        if self.is_taut(change.iter().copied()) {
+        let mut most = S::ZERO;
+        for k in 0..W {
+            most = most.max(change[k]);
+        }
+        if self.is_taut(most) {
             let by = ease(&normal, &change.map(|change| change.scaled(dividend)), &w, self.rest.inverse);
             displace_row(cloth, row, |k| by.at(k), self.moment);
         }
         worst
     }
 
-    /// Whether any of these multipliers is of a tension that shakes its chain.
+    /// Whether a chain whose largest multiplier this is has a tension that shakes it.
     #[inline(always)]
-    fn is_taut(&self, tensions: impl Iterator<Item = S>) -> bool {
-        let most = tensions.fold(S::ZERO, S::max);
+    fn is_taut(&self, most: S) -> bool {
         most.scaled(self.strength.dividend) > self.rest.length * S::from_f64(TAUT)
     }
 
@@ -255,7 +258,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 changes[row][lane] = above[lane].right;
             }
         }
-        let mut change = [S::ZERO; N];
+        let [mut change, mut most] = [[S::ZERO; N]; 2];
         let mut below = Vec3::<[S; N]>::row(Vec3::ZERO);
         for row in (0..H).rev() {
             let w = &cloth.inverse_mass.0[row];
@@ -266,6 +269,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             for lane in 0..N {
                 change[lane] = changes[link_above][lane] + times::<ORDINARY, S>(change[lane], factors[row][lane]);
                 changes[link_above][lane] = change[lane];
+                most[lane] = most[lane].max(change[lane]);
                 pull.set(lane, normals[link_above].at(lane).of_length(change[lane].scaled(dividend)));
             }
             let tension = &mut tension.0[link_above];
@@ -280,21 +284,27 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             below = pull;
         }
         for lane in 0..N {
-            if self.is_taut(changes.iter().map(|change| change[lane])) {
-                self.ease_column(cloth, first + lane, |row| (normals[row].at(lane), changes[row][lane]));
+            if self.is_taut(most[lane]) {
+                self.ease_column(cloth, first, lane, (&normals, &changes));
             }
         }
     }
 
-    /// Eases a column, whose links have these directions and changes of multipliers.
-    #[inline(never)]
-    fn ease_column(&self, cloth: &mut Cloth<S, W, H>, column: usize, link: impl Fn(usize) -> (Vec3<S>, S)) {
+    /// Eases one of some columns, whose links have these directions and changes of multipliers.
+    #[inline(never)] // few columns are that taut
+    fn ease_column<const N: usize>(
+        &self,
+        cloth: &mut Cloth<S, W, H>,
+        first: usize,
+        lane: usize,
+        (normals, changes): (&[Vec3<[S; N]>; H], &[[S; N]; H]),
+    ) {
+        let column = first + lane;
         let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
         let mut tension = [S::ZERO; H];
         for row in 0..H {
-            let (direction, change) = link(row);
-            normal.set(row, direction);
-            tension[row] = change.scaled(self.strength.dividend);
+            normal.set(row, normals[row].at(lane));
+            tension[row] = changes[row][lane].scaled(self.strength.dividend);
         }
         let w = core::array::from_fn(|row| cloth.inverse_mass.0[row][column]);
         let by = ease(&normal, &tension, &w, self.rest.inverse);
