@@ -259,7 +259,7 @@ impl Plot<'_> {
     {
         let words = (FONT, 15).into_text_style(area).pos(Pos::new(HPos::Left, VPos::Center));
         let named = self.curves.iter().filter(|curve| !curve.name.is_empty());
-        let mut height = 56;
+        let mut height = 40;
         for curve in named {
             if curve.width > 0 {
                 let line = vec![(4, height), (34, height)];
@@ -269,7 +269,7 @@ impl Plot<'_> {
                 area.draw(&marker)?;
             }
             area.draw(&Text::new(curve.name.clone(), (42, height), words.clone()))?;
-            height += 21;
+            height += 20;
         }
         height += 8;
         for note in &self.notes {
