@@ -18,7 +18,7 @@
 //! cargo --config boards/lm3s6965.toml build --profile board --features oled --target thumbv7m-none-eabi --example oled
 //! ```
 //!
-//! A step is a 25th of a second. Where pictures take longer, two steps are made up between them and the rest is dropped. At rest there is neither a step nor a
+//! A step is a 30th of a second. Where pictures take longer, two steps are made up between them and the rest is dropped. At rest there is neither a step nor a
 //! byte for the display: the processor sleeps. The log goes through RTT.
 #![no_std]
 #![no_main]
