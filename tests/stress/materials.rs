@@ -13,6 +13,19 @@ struct Kicked {
     frame: f64,
     /// The mass of the particle in the middle, ordinary particles.
     heavy: f64,
+    /// Of the line solver.
+    tolerance: f64,
+}
+
+impl Kicked {
+    fn new(stretch: f64, frame: f64) -> Self {
+        Self { stretch, frame, heavy: 1.0, tolerance: Lines::new().tolerance }
+    }
+
+    /// What hangs in folds from a particle of a thousand masses stays where it has to be, but shakes, where rows are left strained by 2 %.
+    fn shakes(&self) -> bool {
+        self.frame == 0.05 && self.heavy > 1.0 && self.tolerance > 0.005
+    }
 }
 
 impl Ordeal for Kicked {
@@ -34,13 +47,17 @@ impl Ordeal for Kicked {
     /// Lines leave rows as they are that are strained by no more than their tolerance, which moves particles by a part of it in a substep.
     fn still(&self) -> f64 {
         let Sheet { frame, substeps, .. } = self.sheet();
-        let tolerated = Lines::new().tolerance / 7.0 / (frame / f64::from(substeps));
-        match (self.frame, self.heavy) {
-            // what hangs from a particle of a thousand masses in folds is more than the most sweeps put in order: it stays where it has to be, but shakes
-            (0.05, 1000.0) => f64::INFINITY,
-            (frame, heavy) if frame > 0.02 || heavy > 1.0 => tolerated,
-            _ => 0.02,
+        let tolerated = self.tolerance / 7.0 / (frame / f64::from(substeps));
+        if self.shakes() {
+            f64::INFINITY
+        } else if frame > 0.02 || self.heavy > 1.0 {
+            tolerated
+        } else {
+            0.02
         }
+    }
+    fn lines(&self) -> Lines {
+        Lines::new().within(self.tolerance)
     }
     fn left(&self) -> f64 {
         if self.frame > 0.02 && self.heavy > 1.0 { 1.0 } else { 0.3 }
@@ -55,10 +72,10 @@ fn every_stiffness_and_step() {
     for stretch in [1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e11] {
         for frame in STEPS {
             let what = format!("{stretch:e} N/m, frames of {frame:.3} s");
-            default_solver::<8, 8>(&mut complaints, &what, &Kicked { stretch, frame, heavy: 1.0 });
+            default_solver::<8, 8>(&mut complaints, &what, &Kicked::new(stretch, frame));
         }
         let what = format!("{stretch:e} N/m");
-        other_solvers::<8, 8>(&mut complaints, &what, &Kicked { stretch, frame: 0.05, heavy: 1.0 });
+        other_solvers::<8, 8>(&mut complaints, &what, &Kicked::new(stretch, 0.05));
     }
     complaints.assert_none();
 }
@@ -69,13 +86,18 @@ fn a_particle_a_thousand_times_as_heavy() {
     for stretch in [1e4, 1e8] {
         for frame in STEPS {
             let what = format!("mass ratio 1000, {stretch:e} N/m, frames of {frame:.3} s");
-            default_solver::<8, 8>(&mut complaints, &what, &Kicked { stretch, frame, heavy: 1000.0 });
+            let heavy = Kicked { heavy: 1000.0, ..Kicked::new(stretch, frame) };
+            default_solver::<8, 8>(&mut complaints, &what, &heavy);
+            if heavy.shakes() {
+                default_solver::<8, 8>(
+                    &mut complaints,
+                    &(what + ", within 0.5 %"),
+                    &Kicked { tolerance: 0.005, ..heavy },
+                );
+            }
         }
     }
-    other_solvers::<8, 8>(
-        &mut complaints,
-        "mass ratio 1000",
-        &Kicked { stretch: 1e4, frame: 1.0 / 60.0, heavy: 1000.0 },
-    );
+    let heavy = Kicked { heavy: 1000.0, ..Kicked::new(1e4, 1.0 / 60.0) };
+    other_solvers::<8, 8>(&mut complaints, "mass ratio 1000", &heavy);
     complaints.assert_none();
 }

@@ -38,6 +38,10 @@ pub(crate) trait Ordeal {
     fn left(&self) -> f64 {
         0.2
     }
+    /// The line solver that bears it.
+    fn lines(&self) -> Lines {
+        Lines::new()
+    }
 }
 
 fn run<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
@@ -93,18 +97,18 @@ impl Complaints {
     }
 }
 
-/// The default solver in a number type, the same twice.
+/// The line solver in a number type, the same twice.
 pub(crate) fn default_in<S: Scalar, const W: usize, const H: usize>(
     complaints: &mut Complaints,
     what: &str,
     ordeal: &impl Ordeal,
 ) {
-    let run = || run::<S, Lines, W, H>(ordeal, Lines::new());
+    let run = || run::<S, Lines, W, H>(ordeal, ordeal.lines());
     let twice = run().and_then(|first| if run()? == first { Ok(first) } else { Err("not the same twice".into()) });
     complaints.note(&format!("{what}, {W} x {H}, lines in {}", S::NAME), twice);
 }
 
-/// The default solver in every number type.
+/// The line solver in every number type.
 pub(crate) fn default_solver<const W: usize, const H: usize>(
     complaints: &mut Complaints,
     what: &str,
