@@ -44,9 +44,12 @@ impl<S: Scalar> Force<S> for FacetWind<S> {
 /// The part of its velocity through the air, as a power of ½, that a corner of mass 1 loses at most in a substep to a triangle with |n| = 1.
 ///
 /// Six triangles meet in a particle, three in one on an edge, of up to twice the inverse mass, two in one in a corner, of up to four times. All of them together,
-/// with twice their area in a stretched sheet, bring it to rest in the air and don't overshoot. Without this bound the pressure, which grows with the square
+/// with up to [`LARGE`] times their area in a stretched sheet, bring it to rest in the air and don't overshoot. Without this bound the pressure, which grows with the square
 /// of the velocity and is taken at the start of a substep, would in a long one throw a light sheet back faster than it came, and faster still in the next.
 const MOST: u32 = 4;
+
+/// From which |n| on, cells², a triangle's part is bounded the more the larger it is.
+const LARGE: i32 = 2;
 
 /// Wind as the drag of a plate, relative to the cloth's own velocity: `F = ½·ρ·c·A·(n̂·u)·|n̂·u|·n̂` for the triangle of area A with
 /// `u = wind − mean corner velocity`, a third of it on each corner; in a step too long for that, no more than brings the sheet to the wind's velocity.
@@ -73,11 +76,14 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
     #[inline]
     fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
         let (third, most) = (S::ONE.divide(S::from_int(3)), S::ONE.halve(MOST));
+        let (large, most_times_large) = (S::from_int(LARGE), S::from_int(LARGE).halve(MOST));
         triangles(rows, gains, |corners, [a, b, c]| {
             let n = normal(corners);
             // a third of each velocity, so that their sum stays in range
             let u = self.wind - (a * third + b * third + c * third);
-            let across = over(n.dot(u), n.length());
+            let length = n.length();
+            let across = over(n.dot(u), length);
+            let most = if length > large { most_times_large.divide(length) } else { most };
             n * ((self.pressure * across.abs()).min(most) * across)
         });
     }

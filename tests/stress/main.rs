@@ -5,6 +5,7 @@ mod elasticity;
 mod hands;
 mod heavy_pair;
 mod held_row;
+mod large_triangles;
 mod materials;
 mod ordeal;
 mod stage;
