@@ -86,14 +86,19 @@ fn torn() -> impl Strategy<Value = String> {
     })
 }
 
-/// Whether wind of the facet model, which does not weaken with the sheet's velocity and grows with the area that it stretches, carries the sheet away or pulls
-/// harder than its springs.
+/// Whether wind of the facet model, which does not weaken with the sheet's velocity and grows with the area that it stretches, carries the sheet away, pulls
+/// harder than its springs, or blows light particles beyond the sheet within a substep: it whirls them faster and faster.
 fn is_unbounded(scene: &Description) -> bool {
     let speed = |wind: Wind| wind.velocity.iter().map(|v| v * v).sum::<f64>().sqrt();
     let facets = scene.wind.filter(|wind| wind.model == WindModel::Facet).map_or(0.0, speed);
-    let [width, height] = [scene.sheet.width, scene.sheet.height];
+    let sheet = &scene.sheet;
+    let [width, height] = [sheet.width, sheet.height];
+    let size = width.min(height);
     let stiffness = scene.stretch.map_or(0.0, |spring| spring.stiffness);
-    facets > 0.0 && scene.sheet.pins.is_empty() || facets * width * height > 0.01 * stiffness * width.min(height)
+    let cell = width * height / ((sheet.columns - 1).max(1) * (sheet.rows - 1).max(1)) as f64;
+    let substep = scene.solver.step / f64::from(scene.solver.substeps);
+    let blown = facets * cell / sheet.mass_at(0, 0) * substep * substep;
+    facets > 0.0 && sheet.pins.is_empty() || facets * width * height > 0.01 * stiffness * size || blown > size
 }
 
 /// Digests after some frames; none where the number type does not hold the scene.
