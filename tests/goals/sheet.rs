@@ -8,7 +8,6 @@ use kerchief::{
 
 const SIZE: f64 = 10.0;
 const FRAME: f64 = 0.1;
-const FRAMES: usize = 20;
 /// Substeps of the finer of two reference solutions.
 const FINE: u32 = 512;
 /// How far the limit that two reference solutions point to may be from the finer, sheet sizes: an error of second order, which the limit lacks.
@@ -29,6 +28,8 @@ pub(crate) struct Sheet {
     pub(crate) hold: Hold,
     /// Of the facet model, m/s.
     pub(crate) wind: Option<[f64; 3]>,
+    /// How long it moves.
+    pub(crate) frames: usize,
 }
 
 /// Positions at the ends of frames, m.
@@ -63,7 +64,7 @@ impl Sheet {
     /// The line solver in `f32` against the solution.
     pub(crate) fn run(&self, substeps: u32, tolerance: f64, reference: &Frames) -> Found {
         let motion = self.moved::<Counted, _>(Lines::<6>::with_sweeps(2).within(tolerance), substeps);
-        let particle_frames = (self.side * self.side * FRAMES) as f64;
+        let particle_frames = (self.side * self.side * self.frames) as f64;
         Found {
             error: distance(&motion.frames, reference),
             strain: motion.strain,
@@ -79,6 +80,10 @@ impl Sheet {
         match (self.side, self.wind) {
             (16, None) => self.frames::<S, V, _, 16, 16>(solver, &units, (gravity, drag)),
             (32, None) => self.frames::<S, V, _, 32, 32>(solver, &units, (gravity, drag)),
+            (16, Some(wind)) => {
+                let wind = FacetWind::new(units.facet_wind(wind));
+                self.frames::<S, V, _, 16, 16>(solver, &units, (gravity, drag, wind))
+            }
             (32, Some(wind)) => {
                 let wind = FacetWind::new(units.facet_wind(wind));
                 self.frames::<S, V, _, 32, 32>(solver, &units, (gravity, drag, wind))
@@ -106,7 +111,7 @@ impl Sheet {
         }
         let mut memory = scene.memory();
         let mut motion = Motion { frames: Vec::new(), strain: 0.0, operations: 0 };
-        for _ in 0..FRAMES {
+        for _ in 0..self.frames {
             Counted::reset();
             scene.step(&mut cloth, &mut memory);
             motion.operations += Counted::operations().total();
