@@ -16,10 +16,14 @@ struct Course {
     at_rest: u32,
 }
 
-fn course(name: &str) -> Course {
+fn scene(name: &str) -> Description {
     let path = format!("{ROOT}/examples/scenes/symptoms/{name}.toml");
     let scene = Description::parse(&fs::read_to_string(path).unwrap()).unwrap();
     assert_eq!(scene.name, name);
+    scene
+}
+
+fn course(scene: &Description) -> Course {
     let mut moving = scene.simulation(ScalarKind::F32).unwrap();
     let (mut strain, mut speed, mut at_rest) = (0.0_f64, 0.0_f64, 0);
     for frame in 0..scene.frames {
@@ -37,7 +41,7 @@ fn course(name: &str) -> Course {
 }
 
 fn both(name: &str) -> [Course; 2] {
-    [course(name), course(&format!("{name}-cured"))]
+    [course(&scene(name)), course(&scene(&format!("{name}-cured")))]
 }
 
 #[test]
@@ -64,6 +68,10 @@ fn slides_off() {
 fn shakes() {
     let [ill, cured] = both("shakes");
     assert!(ill.speed > 0.05 && cured.speed < 1e-3, "{} m/s {} m/s", ill.speed, cured.speed);
+    let mut tight = scene("shakes");
+    tight.solver.tolerance = 0.001;
+    let tight = course(&tight);
+    assert!(tight.speed < 1e-3, "{} m/s within a thousandth", tight.speed);
 }
 
 #[test]
