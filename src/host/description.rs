@@ -3,8 +3,7 @@
 use std::string::String;
 use std::vec::Vec;
 
-use serde::Deserialize;
-
+use super::choice::{Pose, SolverKind, Weave};
 use super::error::SceneError;
 use super::file::File;
 use crate::rest::Stillness;
@@ -104,17 +103,6 @@ impl Sheet {
         let hem = self.hem.filter(|_| edges.contains(&true)).unwrap_or(1.0);
         self.mass * share(edges[0]) * share(edges[1]) * hem
     }
-}
-
-/// How a sheet starts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Pose {
-    /// Flat in the x-y plane, rows along y.
-    #[default]
-    Lay,
-    /// Upright in the x-z plane, row 0 on top.
-    Hang,
 }
 
 /// The law of a link family, `f = -k (|d| - L) d/|d| - k_d (v_i - v_j)`.
@@ -223,23 +211,6 @@ pub struct Picture {
     pub colours: [[u8; 3]; 2],
 }
 
-/// What is woven into a sheet.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Weave {
-    /// The second colour alone.
-    #[default]
-    Plain,
-    /// Bands from the first row to the last.
-    Stripes,
-    /// A chessboard.
-    Checks,
-    /// Bands both ways: where they cross the colour is full, elsewhere half.
-    Gingham,
-    /// Gingham with a border of the second colour.
-    Kerchief,
-}
-
 /// How the sheet is moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solver {
@@ -257,45 +228,4 @@ pub struct Solver {
     pub tolerance: f64,
     /// No link longer than `1 + strain_limit` times its rest length after a step.
     pub strain_limit: Option<f64>,
-}
-
-/// A method of [`solver`](crate::solver), by its name in a scene file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SolverKind {
-    /// Position Verlet with relaxation sweeps.
-    Verlet,
-    /// Explicit Euler.
-    ForwardEuler,
-    /// Implicit Euler.
-    BackwardEuler,
-    /// Leapfrog (velocity Verlet).
-    Leapfrog,
-    /// Extended position-based dynamics.
-    Xpbd,
-    /// Whole rows and columns of links at once.
-    Lines,
-}
-
-impl SolverKind {
-    /// Every method.
-    pub const ALL: [Self; 6] =
-        [Self::Verlet, Self::ForwardEuler, Self::BackwardEuler, Self::Leapfrog, Self::Xpbd, Self::Lines];
-
-    /// Its name in a scene file and on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Verlet => "verlet",
-            Self::ForwardEuler => "forward-euler",
-            Self::BackwardEuler => "backward-euler",
-            Self::Leapfrog => "leapfrog",
-            Self::Xpbd => "xpbd",
-            Self::Lines => "lines",
-        }
-    }
-
-    /// The method of that name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|kind| kind.name() == name)
-    }
 }

@@ -9,7 +9,7 @@ use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
-use super::description::{Pose, SolverKind, Weave};
+use super::choice::{Pose, SolverKind, Weave};
 use super::error::SceneError;
 use super::quantity::{Colour, Count, Fraction, NonNegative, Number, Positive, Vector};
 

@@ -59,11 +59,13 @@
 
 mod build;
 mod builtin;
+mod choice;
 mod counted;
 mod description;
 mod error;
 mod file;
 mod fit;
+mod obstacles;
 #[cfg(feature = "graphics")]
 mod painter;
 mod parts;
@@ -74,15 +76,16 @@ mod shape;
 mod solver;
 
 pub use builtin::{BUILT_IN, BuiltIn, DEFAULT_SCENE, built_in};
+pub use choice::{Pose, SolverKind, Weave};
 pub use counted::{Counted, Operations};
 pub use description::{
-    Capsule, Description, Drag, Picture, Plane, Pose, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Weave, Wind,
-    WindModel,
+    Capsule, Description, Drag, Picture, Plane, Sheet, Solver, Sphere, Spring, Surface, Wind, WindModel,
 };
 pub use error::SceneError;
+pub use obstacles::Obstacles;
 #[cfg(feature = "graphics")]
 pub use painter::Painter;
-pub use parts::{Bare, Basics, Everything, Obstacles, Parts, Springs};
+pub use parts::{Bare, Basics, Everything, Parts, Springs};
 pub use quantity::MOST;
 pub use run::{ScalarKind, Simulation, State, Still, Strain, Strains};
 pub use shape::SHAPES;

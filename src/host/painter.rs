@@ -6,7 +6,8 @@ use embedded_graphics::primitives::PrimitiveStyle;
 use embedded_graphics::{Drawable, draw_target::DrawTarget};
 use std::vec::Vec;
 
-use super::description::{Description, Picture, Weave};
+use super::choice::Weave;
+use super::description::{Description, Picture};
 use super::error::SceneError;
 use super::run::Still;
 use super::shape::for_each_shape;

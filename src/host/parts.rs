@@ -1,13 +1,11 @@
 //! What the scenes of a program may name. What none of them names costs nothing.
 
 use std::format;
-use std::vec::Vec;
 
-use super::build::Solids;
 use super::description::{Description, Wind, WindModel};
 use super::error::SceneError;
 use super::fit::Fit;
-use crate::collider::Collider;
+use super::obstacles::{Obstacles, Solids};
 use crate::force::{AerodynamicWind, FacetWind, Force};
 use crate::link::{Damped, Links};
 use crate::scalar::Scalar;
@@ -17,22 +15,6 @@ use crate::units::Units;
 pub trait Springs<S: Scalar + Send>: Links<S> + Copy + Send + 'static {}
 
 impl<S: Scalar + Send, L: Links<S> + Copy + Send + 'static> Springs<S> for L {}
-
-/// What is in the way, or nothing.
-pub trait Obstacles<S: Scalar>: Collider<S> + Send + 'static {
-    /// Where the balls are, m.
-    fn centres(&self, units: &Units) -> Vec<[f64; 3]>;
-    /// Moves the balls to `centres`, m.
-    fn set_centres(&mut self, units: &Units, centres: &[[f64; 3]]);
-}
-
-impl<S: Scalar> Obstacles<S> for () {
-    fn centres(&self, _: &Units) -> Vec<[f64; 3]> {
-        Vec::new()
-    }
-
-    fn set_centres(&mut self, _: &Units, _: &[[f64; 3]]) {}
-}
 
 /// The parts that scenes are put together from.
 pub trait Parts<S: Scalar + Send>: 'static {

@@ -3,8 +3,9 @@
 use std::format;
 use std::vec::Vec;
 
+use super::choice::SolverKind;
 use super::description::{
-    Capsule, Description, Drag, Picture, Plane, Sheet, Solver, SolverKind, Sphere, Spring, Surface, Wind, WindModel,
+    Capsule, Description, Drag, Picture, Plane, Sheet, Solver, Sphere, Spring, Surface, Wind, WindModel,
 };
 use super::error::SceneError;
 use super::file::{self, File, Pins, Table};

@@ -2,7 +2,8 @@
 
 use std::boxed::Box;
 
-use super::description::{Description, SolverKind};
+use super::choice::SolverKind;
+use super::description::Description;
 use super::error::SceneError;
 use super::fit::Fit;
 use crate::cloth::Cloth;
