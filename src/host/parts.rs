@@ -157,6 +157,8 @@ const VELOCITY: &str = "environment.wind.velocity";
 
 #[cfg(test)]
 mod tests {
+    use std::vec::Vec;
+
     use super::*;
     use crate::host::SolverKind;
 

@@ -3,7 +3,8 @@
 use super::kernel::Kernel;
 use super::newton::inverse_root_wide;
 use super::product::{self, round, signed, unsigned};
-use super::{FRACTION, Fixed24, ONE, divide, each, root, saturate};
+use super::quotient::{divide, root, saturate};
+use super::{FRACTION, Fixed24, ONE, each};
 use crate::scalar::Rest;
 
 /// Products of 64 bits: every result is right to its last place or the one before.
@@ -11,6 +12,8 @@ use crate::scalar::Rest;
 pub struct Exact;
 
 /// `squares/L²` by 1/L², near one, with 48 fraction bits; it saturates at 2¹⁵, that is 181 rest lengths, where an elongation is 0.9945.
+///
+/// Bounds: 1/L² < 2³¹, so both products are below 2⁶³; beyond the check the upper one is below 2⁵⁵ and fits once shifted, and the lower one adds less than 2³⁹.
 #[inline]
 fn ratio(squares: u64, inverse_square: i32) -> u64 {
     let inverse = inverse_square as u32;
@@ -23,7 +26,7 @@ fn ratio(squares: u64, inverse_square: i32) -> u64 {
     ((upper << 8) + (lower >> FRACTION)).clamp(1, u64::MAX >> 1)
 }
 
-/// `1/√ratio` with 24 fraction bits, rounded to nearest.
+/// `1/√ratio` with 24 fraction bits, rounded to nearest. From 2⁻⁴⁸ to 2¹⁵ the ratio makes an exponent e of −7 to 24: shifts of −17 to 14, of 31 bits in 64.
 #[inline]
 fn inverse_stretch(ratio: u64) -> i64 {
     let (y, e) = inverse_root_wide(ratio);
@@ -36,6 +39,8 @@ fn inverse_stretch(ratio: u64) -> i64 {
 const NEAR: i32 = 1 << 24;
 
 /// e with `squares/L² = 1 + e` and 29 fraction bits, for a link near its rest length up to 2.8 cells: nearly all links at nearly all times.
+///
+/// Bounds: squares below 2⁵¹ keep 32 bits, their product with 1/L² < 2³¹ is below 2⁶³, and a ratio below 2³¹ fits.
 #[inline(always)]
 fn near_rest(squares: u64, inverse_square: i32) -> Option<i32> {
     if squares >> 51 != 0 {

@@ -2,7 +2,8 @@
 
 use super::exact::{self, dot};
 use super::kernel::Kernel;
-use super::{FRACTION, Fixed24, ONE, divide, each, product};
+use super::quotient::divide;
+use super::{FRACTION, Fixed24, ONE, each, product};
 use crate::scalar::Rest;
 
 /// Edges of 13 fraction bits, products of 32 bits: links are measured to 6·10⁻⁵ cells.
