@@ -1,6 +1,7 @@
 //! A board with an STM32F405.
 
 use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
@@ -14,8 +15,7 @@ const MACHINE: &str = "netduinoplus2";
 /// After this without a line the program hangs.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// Runs the example, passes every line that comes over the serial port to `line`, and ends after the last.
-pub(crate) fn run(mut line: impl FnMut(&str)) -> Result<()> {
+pub(crate) fn build() -> PathBuf {
     let firmware = Firmware {
         example: "feather",
         board: Some("stm32f405"),
@@ -24,7 +24,11 @@ pub(crate) fn run(mut line: impl FnMut(&str)) -> Result<()> {
         targets: &[TARGET],
         only: [None; 2],
     };
-    let program = firmware.build()[TARGET].clone();
+    firmware.build()[TARGET].clone()
+}
+
+/// Runs the program, passes every line that comes over the serial port to `line`, and ends after the last.
+pub(crate) fn run(program: &Path, mut line: impl FnMut(&str)) -> Result<()> {
     let mut board = Running(
         Command::new("qemu-system-arm")
             .args(["-M", MACHINE, "-display", "none", "-monitor", "none", "-serial", "stdio", "-icount", "shift=0"])

@@ -8,6 +8,7 @@
 mod feather;
 mod film;
 mod firmware;
+mod footprint;
 mod gdb;
 #[path = "../microbit/leds.rs"]
 mod leds;
@@ -23,6 +24,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, ValueEnum};
 use image::{Rgb, RgbImage};
+use object::read::elf::ElfFile32;
 
 use gdb::Result;
 use qemu::Qemu;
@@ -69,16 +71,25 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<()> {
+    let program = match arguments.board {
+        Board::Feather => feather::build(),
+        Board::Microbit => microbit::build(),
+        Board::Oled => oled::build(),
+        Board::Pico => pico::build(),
+    };
+    let data = std::fs::read(&program)?;
+    let [flash, ram] = footprint::footprint(&ElfFile32::parse(data.as_slice())?);
+    println!("{flash} bytes of flash, {ram} bytes of RAM and the stack");
     match arguments.board {
-        Board::Feather => feather::run(|line| println!("{line}")),
-        Board::Microbit => run_microbit(arguments),
-        Board::Oled => run_oled(arguments),
-        Board::Pico => run_pico(arguments),
+        Board::Feather => feather::run(&program, |line| println!("{line}")),
+        Board::Microbit => run_microbit(&program, arguments),
+        Board::Oled => run_oled(&program, arguments),
+        Board::Pico => run_pico(&program, arguments),
     }
 }
 
-fn run_microbit(arguments: &Arguments) -> Result<()> {
-    let mut board = microbit::start()?;
+fn run_microbit(program: &Path, arguments: &Arguments) -> Result<()> {
+    let mut board = microbit::start(program)?;
     loop {
         let step = board.picture()?;
         let levels = microbit::levels(&mut board)?;
@@ -100,8 +111,8 @@ fn end(board: &mut Qemu) -> Result<()> {
     if errors.is_empty() { Ok(()) } else { Err(errors.into()) }
 }
 
-fn run_oled(arguments: &Arguments) -> Result<()> {
-    let mut board = Qemu::start(oled::MACHINE, None, &oled::build(), arguments.shift)?;
+fn run_oled(program: &Path, arguments: &Arguments) -> Result<()> {
+    let mut board = Qemu::start(oled::MACHINE, None, program, arguments.shift)?;
     let mut logged = 0;
     loop {
         let step = board.picture()?;
@@ -124,9 +135,9 @@ fn run_oled(arguments: &Arguments) -> Result<()> {
     }
 }
 
-fn run_pico(arguments: &Arguments) -> Result<()> {
+fn run_pico(program: &Path, arguments: &Arguments) -> Result<()> {
     let shots = if arguments.gif.is_some() { (1..=arguments.steps as usize).collect() } else { Vec::new() };
-    let run = pico::run(&pico::build(), &pico::Plan { until: Some(arguments.steps), shots, presses: Vec::new() })?;
+    let run = pico::run(program, &pico::Plan { until: Some(arguments.steps), shots, presses: Vec::new() })?;
     run.log.iter().for_each(|line| println!("{line}"));
     let [used, size] = run.stack;
     println!("{used} of {size} bytes of stack were used");

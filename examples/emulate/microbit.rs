@@ -1,6 +1,6 @@
 //! The BBC micro:bit.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use image::{Rgb, RgbImage};
 
@@ -21,8 +21,7 @@ const OUT: &str = "offset 0x504 value ";
 /// How bright each LED is.
 pub(crate) type Levels = [[u32; LEDS]; LEDS];
 
-/// Builds the example and starts it.
-pub(crate) fn start() -> Result<Qemu> {
+pub(crate) fn build() -> PathBuf {
     let firmware = Firmware {
         example: "microbit",
         board: Some("microbit"),
@@ -31,8 +30,11 @@ pub(crate) fn start() -> Result<Qemu> {
         targets: &[TARGET],
         only: [None; 2],
     };
-    let program: PathBuf = firmware.build()[TARGET].clone();
-    Qemu::start(MACHINE, Some(WRITE), &program, SHIFT)
+    firmware.build()[TARGET].clone()
+}
+
+pub(crate) fn start(program: &Path) -> Result<Qemu> {
+    Qemu::start(MACHINE, Some(WRITE), program, SHIFT)
 }
 
 /// For how many passes of the last picture each LED shone.

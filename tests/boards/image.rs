@@ -5,14 +5,15 @@ use std::fs;
 use std::path::Path;
 
 use object::read::elf::{ElfFile32, FileHeader};
-use object::{Endianness, Object, ObjectSection, ObjectSymbol, SectionFlags, SectionKind, SymbolKind, elf};
+use object::{Endianness, Object, ObjectSection, ObjectSymbol, SymbolKind, elf};
+
+use crate::footprint::footprint;
 
 /// A program for an Arm microcontroller.
 #[derive(Debug)]
 pub(crate) struct Image {
-    /// Bytes of flash: vectors, code, constants, and the initial values of variables.
+    /// Bytes, without the stack.
     pub(crate) flash: u64,
-    /// Bytes of RAM that variables take; the stack is not known here.
     pub(crate) ram: u64,
     functions: Vec<Function>,
 }
@@ -33,18 +34,7 @@ impl Image {
         let data = fs::read(path).expect("the program can be read");
         let file = ElfFile32::<Endianness>::parse(data.as_slice()).expect("the program is an ELF file");
         assert_eq!(file.elf_header().e_machine(file.endian()), elf::EM_ARM);
-        let (mut flash, mut ram) = (0, 0);
-        for section in file.sections() {
-            let SectionFlags::Elf { sh_flags } = section.flags() else { continue };
-            if sh_flags & u64::from(elf::SHF_ALLOC) == 0 {
-                continue;
-            }
-            let size = section.size();
-            let writable = sh_flags & u64::from(elf::SHF_WRITE) != 0;
-            let empty = matches!(section.kind(), SectionKind::UninitializedData);
-            flash += if empty { 0 } else { size };
-            ram += if writable { size } else { 0 };
-        }
+        let [flash, ram] = footprint(&file);
         Self { flash, ram, functions: functions(&file) }
     }
 

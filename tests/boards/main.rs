@@ -16,6 +16,8 @@ mod bench;
 mod cases;
 #[path = "../../examples/emulate/firmware.rs"]
 mod firmware;
+#[path = "../../examples/emulate/footprint.rs"]
+mod footprint;
 #[path = "../../examples/emulate/machine.rs"]
 mod machine;
 #[path = "../digests/play.rs"]

@@ -27,7 +27,7 @@ fn parse(line: &str) -> Option<([String; 4], u64)> {
 #[test]
 fn the_feather_computes_what_a_host_computes() {
     let mut rows = Vec::new();
-    feather_board::run(|line| {
+    feather_board::run(&feather_board::build(), |line| {
         println!("{line}");
         rows.extend(parse(line));
     })

@@ -3,7 +3,7 @@
 use kerchief::measure;
 
 use crate::leds::BRIGHTEST;
-use crate::microbit_board::{levels, start};
+use crate::microbit_board::{build, levels, start};
 use crate::microbit_show::Show;
 
 /// Bytes of stack that may be used.
@@ -11,7 +11,7 @@ const STACK: u32 = 8 << 10;
 
 #[test]
 fn the_microbit_shows_what_a_host_computes() {
-    let mut board = start().unwrap();
+    let mut board = start(&build()).unwrap();
     let mut show = Show::new();
     let mut log = Vec::new();
     let mut seen = [false; BRIGHTEST as usize + 1];
