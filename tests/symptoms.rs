@@ -68,10 +68,11 @@ fn slides_off() {
 fn shakes() {
     let [ill, cured] = both("shakes");
     assert!(ill.speed > 0.05 && cured.speed < 1e-3, "{} m/s {} m/s", ill.speed, cured.speed);
-    let mut tight = scene("shakes");
-    tight.solver.tolerance = 0.001;
-    let tight = course(&tight);
-    assert!(tight.speed < 1e-3, "{} m/s within a thousandth", tight.speed);
+    // as many sweeps in every substep: what a changing number of them shakes, a constant one brings to rest
+    let mut steady = scene("shakes");
+    steady.solver.sweeps = Some(4);
+    let steady = course(&steady);
+    assert!(steady.speed < 1e-3, "{} m/s with four sweeps", steady.speed);
 }
 
 #[test]
