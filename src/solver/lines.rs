@@ -16,6 +16,7 @@
 mod chain;
 mod damp;
 mod ease;
+mod heavy;
 mod pairs;
 mod predict;
 mod relax;

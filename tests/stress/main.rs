@@ -3,6 +3,7 @@
 mod day;
 mod elasticity;
 mod hands;
+mod heavy_border;
 mod heavy_pair;
 mod held_row;
 mod large_triangles;

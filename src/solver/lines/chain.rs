@@ -21,6 +21,7 @@ use crate::vec3::Vec3;
 use crate::vectors::{SIDE_BY_SIDE, ahead, behind, columns};
 
 use super::ease::{TAUT, ease};
+use super::heavy::Heavy;
 use super::{displace, displace_row};
 
 /// Columns that are solved side by side, where a machine computes several numbers at once: two of its vectors of `f32`.
@@ -32,6 +33,7 @@ pub(super) struct Chain<'a, S, const W: usize, const H: usize> {
     pub(super) strength: Quotient<S>,
     pub(super) moment: Moment,
     pub(super) ordinary: &'a Ordinary<W, H>,
+    pub(super) heavy: Heavy,
 }
 
 /// What elimination leaves of one link's equation: the change of its multiplier is `right + factor · (change of the next)`.
@@ -89,9 +91,10 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     #[inline(always)]
     fn row<const ORDINARY: bool>(&self, cloth: &mut Cloth<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
         let Quotient { dividend, divisor } = self.strength;
+        let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
         let (links, middle) = (W - 1, (W - 1) / 2);
         let x = &cloth.position.0[row];
-        let w = cloth.inverse_mass.0[row];
+        let w = cloth.inverse_mass.0[row].map(|w| heavy.scaled(w));
         let mut normal = Vec3::row(Vec3::ZERO);
         let [mut residual, mut diagonal, mut coupling, mut change] = [[S::ZERO; W]; 4];
         let mut worst = S::ZERO;
@@ -99,7 +102,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             let next = ahead::<1, S, W>(x);
             for k in columns::<1, 0, W>() {
                 let (excess, along) = (next(k) - x.at(k)).direction(self.rest);
-                residual[k] = excess - tension[k].scaled(divisor);
+                residual[k] = excess - heavy.scaled(tension[k].scaled(divisor));
                 normal.set(k, along);
             }
         }
@@ -119,7 +122,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             for k in 0..W {
                 let (here, next) = (w[k], if k + 1 < W { w[k + 1] } else { S::ZERO });
                 coupling[k] = coupling[k] * next;
-                diagonal[k] = (here + next) * dividend + divisor;
+                diagonal[k] = (here + next) * dividend + heavy.scaled(divisor);
             }
         }
         let [mut left, mut right] = [Eliminated::NONE; 2];
@@ -180,8 +183,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         for k in 0..W {
             most = most.max(change[k]);
         }
-        if self.is_taut(most) {
-            let by = ease(&normal, &change.map(|change| change.scaled(dividend)), &w, self.rest.inverse);
+        if self.is_taut(most, heavy) {
+            let by = ease(&normal, &change.map(|change| change.scaled(dividend)), &w, self.rest.inverse, heavy);
             displace_row(cloth, row, |k| by.at(k), self.moment);
         }
         worst
@@ -189,8 +192,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     /// Whether a chain whose largest multiplier this is has a tension that shakes it.
     #[inline(always)]
-    fn is_taut(&self, most: S) -> bool {
-        most.scaled(self.strength.dividend) > self.rest.length * S::from_f64(TAUT)
+    fn is_taut(&self, most: S, heavy: Heavy) -> bool {
+        most.scaled(self.strength.dividend) > heavy.bound(self.rest.length * S::from_f64(TAUT))
     }
 
     /// Solves every column.
@@ -234,6 +237,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             return; // said once, no column needs to be looked for
         }
         let Quotient { dividend, divisor } = self.strength;
+        let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
         let mut normals = [Vec3::<[S; N]>::row(Vec3::ZERO); H];
         let mut factors = [[S::ZERO; N]; H];
         let mut changes = [[S::ZERO; N]; H];
@@ -246,11 +250,15 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 let column = first + lane;
                 let d = y.at(column) - x.at(column);
                 let (excess, normal) = d.direction(self.rest);
-                let residual = excess - tension.0[row][column].scaled(divisor);
+                let residual = excess - heavy.scaled(tension.0[row][column].scaled(divisor));
                 let coupling = before.at(lane).cosine(normal).scaled(dividend);
-                let (coupling, inverse_mass) =
-                    if ORDINARY { (coupling, S::ONE + S::ONE) } else { (coupling * u[column], u[column] + v[column]) };
-                let diagonal = inverse_mass * dividend + divisor;
+                let (coupling, inverse_mass) = if ORDINARY {
+                    (coupling, S::ONE + S::ONE)
+                } else {
+                    let [here, next] = [u, v].map(|w| heavy.scaled(w[column]));
+                    (coupling * here, here + next)
+                };
+                let diagonal = inverse_mass * dividend + heavy.scaled(divisor);
                 let factor;
                 (above[lane], factor) = above[lane].next::<ORDINARY>(diagonal, coupling, residual);
                 normals[row].set(lane, normal);
@@ -279,13 +287,13 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             for lane in 0..N {
                 let column = first + lane;
                 let by = below.at(lane) - pull.at(lane);
-                displace(x, v, column, if ORDINARY { by } else { by * w[column] }, self.moment);
+                displace(x, v, column, if ORDINARY { by } else { by * heavy.scaled(w[column]) }, self.moment);
             }
             below = pull;
         }
         for lane in 0..N {
-            if self.is_taut(most[lane]) {
-                self.ease_column(cloth, first, lane, (&normals, &changes));
+            if self.is_taut(most[lane], heavy) {
+                self.ease_column(cloth, first, lane, (&normals, &changes), heavy);
             }
         }
     }
@@ -298,6 +306,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         first: usize,
         lane: usize,
         (normals, changes): (&[Vec3<[S; N]>; H], &[[S; N]; H]),
+        heavy: Heavy,
     ) {
         let column = first + lane;
         let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
@@ -306,8 +315,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             normal.set(row, normals[row].at(lane));
             tension[row] = changes[row][lane].scaled(self.strength.dividend);
         }
-        let w = core::array::from_fn(|row| cloth.inverse_mass.0[row][column]);
-        let by = ease(&normal, &tension, &w, self.rest.inverse);
+        let w = core::array::from_fn(|row| heavy.scaled(cloth.inverse_mass.0[row][column]));
+        let by = ease(&normal, &tension, &w, self.rest.inverse, heavy);
         for row in 0..H {
             displace(&mut cloth.position.0[row], &mut cloth.velocity.0[row], column, by.at(row), self.moment);
         }

@@ -12,24 +12,28 @@
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
+use super::heavy::Heavy;
+
 /// The tension from which on a chain is eased, rest lengths. A zigzag calls for 0.31; with less than a half, chains are eased that don't shake, which costs accuracy.
 pub(super) const TAUT: f64 = 0.5;
 
 /// Tensions in the matrix, rest lengths: more do nothing more, and fixed point holds these.
 const MOST: i32 = 16;
 
-/// What is missing of the displacements of a chain, whose links have these directions and tensions (displacements of a particle of mass 1, cells). Nothing where
-/// it is bent by a right angle or more: no tension has pulled that straight yet.
+/// What is missing of the displacements of a chain, whose links have these directions and tensions (displacements of a particle of inverse mass 1, cells; both in
+/// the unit of multipliers). Nothing where it is bent by a right angle or more: no tension has pulled that straight yet.
 #[inline(never)] // few chains are that taut
 pub(super) fn ease<S: Scalar, const M: usize>(
     normal: &Vec3<[S; M]>,
     tension: &[S; M],
     inverse_mass: &[S; M],
     inverse_length: S,
+    heavy: Heavy,
 ) -> Vec3<[S; M]> {
     let mut across: Vec3<[S; M]> = Vec3::row(Vec3::ZERO);
     let mut by = across;
     let mut factor = [S::ZERO; M];
+    let most = heavy.bound(S::from_int(MOST));
     let (mut pull, mut direction, mut a, mut f) = (Vec3::ZERO, Vec3::ZERO, S::ZERO, S::ZERO);
     for k in 0..M {
         let w = inverse_mass[k];
@@ -45,7 +49,7 @@ pub(super) fn ease<S: Scalar, const M: usize>(
         }
         // an end has but one link, along which it is moved
         across.set(k, if end { Vec3::ZERO } else { moved - along * moved.dot(along).divide(squared) });
-        let b = (force * inverse_length).max(S::ZERO).min(S::from_int(MOST));
+        let b = (force * inverse_length).max(S::ZERO).min(most);
         let pivot = (S::ONE + w * (a + b - a * f)).recip();
         let before = if k > 0 { by.at(k - 1) } else { Vec3::ZERO };
         by.set(k, (across.at(k) + before * (w * a)) * pivot);
@@ -81,7 +85,7 @@ mod tests {
         }
         let tensions = core::array::from_fn(|k| if k + 1 < M { S::from_f64(tension) } else { S::ZERO });
         let w = core::array::from_fn(|k| if free(k) { S::ONE } else { S::ZERO });
-        let by = ease(&normal, &tensions, &w, S::ONE);
+        let by = ease(&normal, &tensions, &w, S::ONE, Heavy::NONE);
         core::array::from_fn(|k| {
             let pull = |k: usize| tension * normal.at(k).to_f64()[1];
             let pulled = if free(k) { pull(k) - pull(k - 1) } else { 0.0 };
@@ -118,8 +122,8 @@ mod tests {
     #[test]
     fn a_straight_chain_and_a_folded_one_are_left_alone() {
         let mut normal: Vec3<[f64; 3]> = Vec3::row(Vec3::from_f64([1.0, 0.0, 0.0]));
-        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 1.0).at(k) == Vec3::ZERO));
+        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 1.0, Heavy::NONE).at(k) == Vec3::ZERO));
         normal.set(1, Vec3::from_f64([-0.1, -0.99, 0.0]));
-        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 1.0).at(k) == Vec3::ZERO));
+        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 1.0, Heavy::NONE).at(k) == Vec3::ZERO));
     }
 }

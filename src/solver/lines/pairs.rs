@@ -15,6 +15,7 @@ use crate::vec3::Vec3;
 use crate::vectors::{ahead, behind, columns, left, right};
 
 use super::displace_row;
+use super::heavy::Heavy;
 
 /// Links of one kind.
 pub(super) struct Pairs<'a, S, const H: usize> {
@@ -24,12 +25,19 @@ pub(super) struct Pairs<'a, S, const H: usize> {
     softness: S,
     moment: Moment,
     ordinary: &'a [bool; H],
+    heavy: Heavy,
 }
 
 impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
-    pub(super) fn new(family: &'a Family<S>, strength: Quotient<S>, moment: Moment, ordinary: &'a [bool; H]) -> Self {
+    pub(super) fn new(
+        family: &'a Family<S>,
+        strength: Quotient<S>,
+        moment: Moment,
+        ordinary: &'a [bool; H],
+        heavy: Heavy,
+    ) -> Self {
         let softness = (strength.dividend + strength.dividend + strength.divisor).recip();
-        Self { rest: &family.rest, strength, softness, moment, ordinary }
+        Self { rest: &family.rest, strength, softness, moment, ordinary, heavy }
     }
 
     /// Links between particles that are `ACROSS` columns apart.
@@ -52,7 +60,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             let mut pull = self.pull::<START, W>(links.clone(), x, ahead::<ACROSS, S, W>(x), &softness, tension, warm);
             without_last::<ACROSS, S, W>(&mut pull, tension);
             let before = behind::<ACROSS, S, W>(&pull);
-            self.displace(cloth, row, |column| pull.at(column) - before(column));
+            self.displace(cloth, row, &softness, |column| pull.at(column) - before(column));
         }
     }
 
@@ -72,8 +80,8 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
             let softness = self.softness([row, row + DOWN], [u, v], |v| *v);
             let pull = self.pull::<START, W>(0..W, x, |column| y.at(column), &softness, tension, warm);
-            self.displace(cloth, row, |column| pull.at(column));
-            self.displace(cloth, row + DOWN, |column| -pull.at(column));
+            self.displace(cloth, row, &softness, |column| pull.at(column));
+            self.displace(cloth, row + DOWN, &softness, |column| -pull.at(column));
         }
     }
 
@@ -107,9 +115,9 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
                 let softness = self.softness([row, row + DOWN], [u, v], right::<ACROSS, S, W>);
                 let mut rise = self.pull::<START, W>(links, x, behind::<ACROSS, S, W>(y), &softness, rising, warm);
                 without_first::<ACROSS, S, W>(&mut rise, rising);
-                self.displace(cloth, row, |column| fall.at(column) + rise.at(column));
+                self.displace(cloth, row, &softness, |column| fall.at(column) + rise.at(column));
                 let (fall, rise) = (behind::<ACROSS, S, W>(&fall), ahead::<ACROSS, S, W>(&rise));
-                self.displace(cloth, row + DOWN, |column| -(fall(column) + rise(column)));
+                self.displace(cloth, row + DOWN, &softness, |column| -(fall(column) + rise(column)));
                 row += 2;
             }
         }
@@ -126,11 +134,11 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         if rows.iter().all(|row| self.ordinary[*row]) {
             return Softness::Ordinary(self.softness);
         }
-        let Quotient { dividend, divisor } = self.strength;
+        let (Quotient { dividend, divisor }, heavy) = (self.strength, self.heavy);
         let mut softness = shifted(v);
         for column in 0..W {
-            let inverse_mass = u[column] + softness[column];
-            let against = inverse_mass * dividend + divisor;
+            let inverse_mass = heavy.scaled(u[column] + softness[column]);
+            let against = inverse_mass * dividend + heavy.scaled(divisor);
             // between two pins nothing gives
             let stuck = inverse_mass == S::ZERO;
             softness[column] = if S::FLOATS {
@@ -144,13 +152,20 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         Softness::Any(softness)
     }
 
-    /// Moves a row by a pull, times inverse masses.
+    /// Moves a row by a pull of links of such softness, times inverse masses.
     #[inline(always)]
-    fn displace<const W: usize>(&self, cloth: &mut Cloth<S, W, H>, row: usize, pull: impl Fn(usize) -> Vec3<S>) {
-        if self.ordinary[row] {
+    fn displace<const W: usize>(
+        &self,
+        cloth: &mut Cloth<S, W, H>,
+        row: usize,
+        softness: &Softness<S, W>,
+        pull: impl Fn(usize) -> Vec3<S>,
+    ) {
+        let heavy = if let Softness::Any(_) = softness { self.heavy } else { Heavy::NONE };
+        if self.ordinary[row] && heavy == Heavy::NONE {
             displace_row(cloth, row, pull, self.moment);
         } else {
-            let w = cloth.inverse_mass.0[row];
+            let w = cloth.inverse_mass.0[row].map(|w| heavy.scaled(w));
             displace_row(cloth, row, |column| pull(column) * w[column], self.moment);
         }
     }
@@ -170,18 +185,16 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             self.each(links, x, y, tension, |_, tension, _| [tension.scaled(warm); 2])
         } else {
             let divisor = self.strength.divisor;
-            let missing = |tension: S, excess: S| excess - tension.scaled(divisor);
-            let changed = |tension: S, change: S| [change, tension + change];
             match softness {
                 &Softness::Ordinary(softness) => self.each(links, x, y, tension, |_, tension, excess| {
-                    changed(tension, missing(tension, excess).scaled(softness))
+                    let change = (excess - tension.scaled(divisor)).scaled(softness);
+                    [change, tension + change]
                 }),
                 Softness::Any(softness) => self.each(links, x, y, tension, |column, tension, excess| {
-                    let missing = missing(tension, excess);
-                    changed(
-                        tension,
-                        if S::FLOATS { missing.divide(softness[column]) } else { missing * softness[column] },
-                    )
+                    let missing = excess - self.heavy.scaled(tension.scaled(divisor));
+                    let softness = softness[column];
+                    let change = if S::FLOATS { missing.divide(softness) } else { missing * softness };
+                    [change, tension + change]
                 }),
             }
         }

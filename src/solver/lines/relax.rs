@@ -9,6 +9,7 @@ use crate::solver::ordinary::Ordinary;
 
 use super::WARM;
 use super::chain::Chain;
+use super::heavy::Heavy;
 use super::pairs::Pairs;
 
 /// Which families a visit is for.
@@ -37,6 +38,7 @@ pub(super) struct Relax<'a, S, const W: usize, const H: usize, const N: usize> {
     /// The largest strain of a row that the sweep met.
     met: S,
     ordinary: Ordinary<W, H>,
+    heavy: Heavy,
 }
 
 impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S, W, H, N> {
@@ -47,7 +49,9 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         softness: S,
     ) -> Self {
         let ordinary = Ordinary::new(cloth);
-        Self { cloth, tension, moment, softness, pass: Pass::Others, first: true, slot: 0, met: S::ZERO, ordinary }
+        let heavy = Heavy::new(cloth, &ordinary.rows);
+        let (pass, met) = (Pass::Others, S::ZERO);
+        Self { cloth, tension, moment, softness, pass, first: true, slot: 0, met, ordinary, heavy }
     }
 
     /// Lets every link act with a part of its last multiplier.
@@ -84,7 +88,8 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         // a taut row between two pins has no pivot but for this: of what a number can tell from nothing, a little is left
         let least = S::from_f64(8.0 * S::RESOLUTION);
         let strength = Quotient { divisor: strength.divisor.max(least), ..strength };
-        let chain = Chain { rest: &family.rest, strength, moment: self.moment, ordinary: &self.ordinary };
+        let chain =
+            Chain { rest: &family.rest, strength, moment: self.moment, ordinary: &self.ordinary, heavy: self.heavy };
         if const { DOWN == 0 } {
             let worst = chain.rows(self.cloth, tension);
             self.met = self.met.max(worst * family.rest.inverse);
@@ -95,7 +100,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
 
     fn others<const ACROSS: usize, const DOWN: usize, const START: bool>(&mut self, family: &Family<S>, slot: usize) {
         let strength = family.strength.scaled(self.softness);
-        let pairs = Pairs::new(family, strength, self.moment, &self.ordinary.rows);
+        let pairs = Pairs::new(family, strength, self.moment, &self.ordinary.rows, self.heavy);
         let soft = strength.divisor >= strength.dividend;
         if START && !soft {
             (slot..slot + slots::<ACROSS, DOWN>()).for_each(|slot| self.clear(slot));
