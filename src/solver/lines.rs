@@ -10,7 +10,9 @@
 //!
 //! **In space** a sweep relaxes the other families, then solves all rows, then all columns ([`chain`]); after each, particles are moved out of colliders. Rows and columns
 //! pull each other out of shape, so sweeps go on until a row is met whose links are within the tolerance: where the sheet swings two are enough, where it
-//! snaps taut more are spent. The multipliers of rows and columns start from nothing: on a stiff sheet a part of the last ones does not die away, and shakes it.
+//! snaps taut more are spent. A constant number of sweeps brings a sheet to rest; one that changes from substep to substep makes it jump between the states in
+//! which different numbers leave it. So where nearly all that a substep may have are spent, as beside very heavy particles, the next one takes as many, or one
+//! less where that would have done by far. The multipliers of rows and columns start from nothing: on a stiff sheet a part of the last ones does not die away, and shakes it.
 //! Those of other families start from a part of the last ones where they are soft, which is worth a sweep.
 
 mod chain;
@@ -83,6 +85,9 @@ const WARM: f64 = 0.8;
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
 
+/// The part of the tolerance within which rows have to be before the last of many sweeps, for the next substep to do without that.
+const BY_FAR: f64 = 0.25;
+
 /// What a sheet's motion leaves behind.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
@@ -90,6 +95,8 @@ pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
     earlier: Vectors<S, W, H>,
     /// The multiplier of each link, at its upper or left particle, in cells over the dividend of the link's strength.
     tension: [Grid<S, W, H>; N],
+    /// The sweeps that the next substep takes at least.
+    sweeps: u32,
     history: History,
 }
 
@@ -97,7 +104,8 @@ impl<S: Scalar, const W: usize, const H: usize, const N: usize> Memory<S, W, H, 
     /// What a solver starts with: nothing but zeros.
     pub const BLANK: Self = {
         assert!(N >= 2, "the line solver remembers rows and columns at least");
-        Self { earlier: Vectors::filled(Vec3::ZERO), tension: [Grid::filled(S::ZERO); N], history: History::None }
+        let (earlier, tension) = (Vectors::filled(Vec3::ZERO), [Grid::filled(S::ZERO); N]);
+        Self { earlier, tension, sweeps: 0, history: History::None }
     };
 }
 
@@ -155,14 +163,17 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             relax.forget();
         }
         let tolerance = S::from_f64(self.tolerance);
-        let mut met = relax.sweep(physics.links, true);
-        let mut sweeps = 1;
-        while sweeps < self.most_sweeps && (sweeps < self.sweeps || met > tolerance) {
+        let (mut before, mut met) = (S::ZERO, relax.sweep(physics.links, true));
+        let (mut sweeps, least) = (1, self.sweeps.max(memory.sweeps));
+        while sweeps < self.most_sweeps && (sweeps < least || met > tolerance) {
             // between the sweeps, so that links answer to what a collider does to them
             resolve(physics.colliders, relax.cloth, moment);
-            met = relax.sweep(physics.links, false);
+            (before, met) = (met, relax.sweep(physics.links, false));
             sweeps += 1;
         }
+        let many = self.most_sweeps - self.most_sweeps / 4;
+        let spare = u32::from(before < tolerance * S::from_f64(BY_FAR));
+        memory.sweeps = if sweeps < many { 0 } else { sweeps - spare };
         let rough = met > S::from_f64(ROUGH);
         damp(cloth, &memory.earlier, Act::Second);
         confine(physics, cloth, moment);

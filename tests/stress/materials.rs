@@ -13,18 +13,11 @@ struct Kicked {
     frame: f64,
     /// The mass of the particle in the middle, ordinary particles.
     heavy: f64,
-    /// Of the line solver.
-    tolerance: f64,
 }
 
 impl Kicked {
     fn new(stretch: f64, frame: f64) -> Self {
-        Self { stretch, frame, heavy: 1.0, tolerance: Lines::new().tolerance }
-    }
-
-    /// What hangs in folds from a particle of a thousand masses stays where it has to be, but shakes, where rows are left strained by 2 %.
-    fn shakes(&self) -> bool {
-        self.frame == 0.05 && self.heavy > 1.0 && self.tolerance > 0.005
+        Self { stretch, frame, heavy: 1.0 }
     }
 }
 
@@ -44,20 +37,12 @@ impl Ordeal for Kicked {
         stage.kick(3.0);
         stage.cloth.inverse_mass[Node::new(W / 2, H / 2)] = S::from_f64(1.0 / self.heavy);
     }
-    /// Lines leave rows as they are that are strained by no more than their tolerance, which moves particles by a part of it in a substep.
+    /// Rows strained by no more than the tolerance are left as they are, which may move particles by a part of it in a substep: in long steps, and in short ones beside a
+    /// heavy particle.
     fn still(&self) -> f64 {
         let Sheet { frame, substeps, .. } = self.sheet();
-        let tolerated = self.tolerance / 7.0 / (frame / f64::from(substeps));
-        if self.shakes() {
-            f64::INFINITY
-        } else if frame > 0.02 || self.heavy > 1.0 {
-            tolerated
-        } else {
-            0.02
-        }
-    }
-    fn lines(&self) -> Lines {
-        Lines::new().within(self.tolerance)
+        let rough = if self.heavy > 1.0 { frame < 0.01 } else { frame > 0.02 };
+        if rough { Lines::new().tolerance / 7.0 / (frame / f64::from(substeps)) } else { 0.02 }
     }
     fn left(&self) -> f64 {
         if self.frame > 0.02 && self.heavy > 1.0 { 1.0 } else { 0.3 }
@@ -86,15 +71,7 @@ fn a_particle_a_thousand_times_as_heavy() {
     for stretch in [1e4, 1e8] {
         for frame in STEPS {
             let what = format!("mass ratio 1000, {stretch:e} N/m, frames of {frame:.3} s");
-            let heavy = Kicked { heavy: 1000.0, ..Kicked::new(stretch, frame) };
-            default_solver::<8, 8>(&mut complaints, &what, &heavy);
-            if heavy.shakes() {
-                default_solver::<8, 8>(
-                    &mut complaints,
-                    &(what + ", within 0.5 %"),
-                    &Kicked { tolerance: 0.005, ..heavy },
-                );
-            }
+            default_solver::<8, 8>(&mut complaints, &what, &Kicked { heavy: 1000.0, ..Kicked::new(stretch, frame) });
         }
     }
     let heavy = Kicked { heavy: 1000.0, ..Kicked::new(1e4, 1.0 / 60.0) };

@@ -38,10 +38,6 @@ pub(crate) trait Ordeal {
     fn left(&self) -> f64 {
         0.2
     }
-    /// The line solver that bears it.
-    fn lines(&self) -> Lines {
-        Lines::new()
-    }
 }
 
 fn run<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
@@ -103,7 +99,7 @@ pub(crate) fn default_in<S: Scalar, const W: usize, const H: usize>(
     what: &str,
     ordeal: &impl Ordeal,
 ) {
-    let run = || run::<S, Lines, W, H>(ordeal, ordeal.lines());
+    let run = || run::<S, Lines, W, H>(ordeal, Lines::new());
     let twice = run().and_then(|first| if run()? == first { Ok(first) } else { Err("not the same twice".into()) });
     complaints.note(&format!("{what}, {W} x {H}, lines in {}", S::NAME), twice);
 }
