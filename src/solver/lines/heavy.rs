@@ -7,8 +7,8 @@
 use crate::cloth::Cloth;
 use crate::scalar::Scalar;
 
-/// The largest shift: 2·2⁵, the sum of two inverse masses, is still held, and so is what moves the largest masses that a scene may have.
-const MOST: u32 = 5;
+/// The largest inverse mass in the larger unit: the sum of two is still held.
+const LIGHTEST: i32 = 32;
 
 /// How much larger the unit of multipliers is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,15 +22,15 @@ impl Heavy {
     pub(super) fn new<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, ordinary: &[bool; H]) -> Self {
         let mut heavy = Self { shift: 0 };
         if !S::FLOATS {
-            let mut least = S::ONE;
+            let [mut least, mut most] = [S::ONE; 2];
             for (row, _) in cloth.inverse_mass.0.iter().zip(ordinary).filter(|(_, ordinary)| !**ordinary) {
                 for w in row {
-                    if *w > S::ZERO && *w < least {
-                        least = *w;
+                    if *w > S::ZERO {
+                        (least, most) = (least.min(*w), most.max(*w));
                     }
                 }
             }
-            while heavy.shift < MOST && heavy.scaled(least) < S::ONE.halve(3) {
+            while heavy.scaled(least) < S::ONE.halve(3) && heavy.scaled(most) < S::from_int(LIGHTEST) {
                 heavy.shift += 1;
             }
         }
@@ -50,5 +50,25 @@ impl Heavy {
     #[inline(always)]
     pub(super) fn bound<S: Scalar>(self, bound: S) -> S {
         if S::FLOATS { bound } else { bound.halve(self.shift) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Q24;
+
+    fn shift<S: Scalar>(masses: [f64; 2]) -> u32 {
+        let mut cloth = Cloth::<S, 2, 1>::BLANK;
+        cloth.inverse_mass.0[0] = masses.map(|mass| S::from_f64(1.0 / mass));
+        Heavy::new(&cloth, &[false]).shift
+    }
+
+    #[test]
+    fn units_grow_with_the_heaviest_particle_as_far_as_the_lightest_lets_them() {
+        assert_eq!([1.0, 2.0, 8.0].map(|mass| shift::<Q24>([1.0, mass])), [0; 3]);
+        assert_eq!([9.0, 80.0, 1e6].map(|mass| shift::<Q24>([1.0, mass])), [1, 4, 5]);
+        assert_eq!([0.5, 0.05, 0.01].map(|mass| shift::<Q24>([mass, 80.0])), [4, 1, 0]);
+        assert_eq!(shift::<f32>([1.0, 80.0]), 0);
     }
 }
