@@ -10,14 +10,13 @@
 //!
 //! **In space** a sweep relaxes the other families, then solves all rows, then all columns ([`chain`]); after each, particles are moved out of colliders. Rows and columns
 //! pull each other out of shape, so sweeps go on until a row is met whose links are within the tolerance: where the sheet swings two are enough, where it
-//! snaps taut more are spent. A constant number of sweeps brings a sheet to rest; one that changes from substep to substep makes it jump between the states in
-//! which different numbers leave it. So where nearly all that a substep may have are spent, as beside very heavy particles, the next one takes as many, or one
-//! less where that would have done by far. The multipliers of rows and columns start from nothing: on a stiff sheet a part of the last ones does not die away, and shakes it.
-//! Those of other families start from a part of the last ones where they are soft, which is worth a sweep.
+//! snaps taut more are spent; where their number [flickers](flicker), it is kept. The multipliers of rows and columns start from nothing: on a stiff sheet a
+//! part of the last ones does not die away, and shakes it. Those of other families start from a part of the last ones where they are soft, which is worth a sweep.
 
 mod chain;
 mod damp;
 mod ease;
+mod flicker;
 mod heavy;
 mod pairs;
 mod predict;
@@ -35,6 +34,7 @@ use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
 use damp::{Act, Damp};
+use flicker::Flicker;
 use relax::Relax;
 
 /// Second order in time, exact along rows and columns, stable for any stiffness and step: the solver for sheets that hardly stretch.
@@ -85,8 +85,11 @@ const WARM: f64 = 0.8;
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
 
-/// The part of the tolerance within which rows have to be before the last of many sweeps, for the next substep to do without that.
+/// The part of the tolerance within which rows have to be before the last of the sweeps that are kept, for the next substep to do without that.
 const BY_FAR: f64 = 0.25;
+
+/// How far particles move in a substep of a sheet whose sweeps may be kept, cells. Where they move further, that is what their number follows.
+const CALM: f64 = 0.2;
 
 /// What a sheet's motion leaves behind.
 #[derive(Clone, Copy, Debug)]
@@ -95,8 +98,7 @@ pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
     earlier: Vectors<S, W, H>,
     /// The multiplier of each link, at its upper or left particle, in cells over the dividend of the link's strength.
     tension: [Grid<S, W, H>; N],
-    /// The sweeps that the next substep takes at least.
-    sweeps: u32,
+    flicker: Flicker,
     history: History,
 }
 
@@ -105,7 +107,7 @@ impl<S: Scalar, const W: usize, const H: usize, const N: usize> Memory<S, W, H, 
     pub const BLANK: Self = {
         assert!(N >= 2, "the line solver remembers rows and columns at least");
         let (earlier, tension) = (Vectors::filled(Vec3::ZERO), [Grid::filled(S::ZERO); N]);
-        Self { earlier, tension, sweeps: 0, history: History::None }
+        Self { earlier, tension, flicker: Flicker::NONE, history: History::None }
     };
 }
 
@@ -164,16 +166,15 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         }
         let tolerance = S::from_f64(self.tolerance);
         let (mut before, mut met) = (S::ZERO, relax.sweep(physics.links, true));
-        let (mut sweeps, least) = (1, self.sweeps.max(memory.sweeps));
+        let (mut sweeps, least) = (1, self.sweeps.max(memory.flicker.kept()));
         while sweeps < self.most_sweeps && (sweeps < least || met > tolerance) {
             // between the sweeps, so that links answer to what a collider does to them
             resolve(physics.colliders, relax.cloth, moment);
             (before, met) = (met, relax.sweep(physics.links, false));
             sweeps += 1;
         }
-        let many = self.most_sweeps - self.most_sweeps / 4;
-        let spare = u32::from(before < tolerance * S::from_f64(BY_FAR));
-        memory.sweeps = if sweeps < many { 0 } else { sweeps - spare };
+        let plenty = before < tolerance * S::from_f64(BY_FAR);
+        memory.flicker.learn(sweeps, self.sweeps, plenty, || is_calm(relax.cloth, moment));
         let rough = met > S::from_f64(ROUGH);
         damp(cloth, &memory.earlier, Act::Second);
         confine(physics, cloth, moment);
@@ -183,6 +184,15 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             (false, false) => History::Full,
         };
     }
+}
+
+/// Whether no particle moves by more than a part of a cell in a substep. In motion one of the first does.
+fn is_calm<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, moment: Moment) -> bool {
+    let most = S::from_f64(CALM);
+    cloth.velocity.values().all(|velocity| {
+        let Vec3 { x, y, z } = moment.displacement(velocity);
+        x.abs() < most && y.abs() < most && z.abs() < most
+    })
 }
 
 /// Moves a particle by a link.

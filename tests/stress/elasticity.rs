@@ -84,9 +84,9 @@ struct Goal {
 
 const GOALS: [Goal; 4] = [
     Goal { scene: Thesis::Gravity, springs: 0.2539, substeps: 7, tolerance: 0.4, cost: 1.3 },
-    Goal { scene: Thesis::Sphere, springs: 0.1483, substeps: 6, tolerance: 0.4, cost: 1.0 },
-    Goal { scene: Thesis::Wind, springs: 0.0180, substeps: 1, tolerance: 0.2, cost: 0.25 },
-    Goal { scene: Thesis::NoShear, springs: 0.1682, substeps: 4, tolerance: 0.1, cost: 2.5 },
+    Goal { scene: Thesis::Sphere, springs: 0.1483, substeps: 8, tolerance: 0.6, cost: 0.9 },
+    Goal { scene: Thesis::Wind, springs: 0.0180, substeps: 1, tolerance: 0.15, cost: 0.25 },
+    Goal { scene: Thesis::NoShear, springs: 0.1682, substeps: 7, tolerance: 0.2, cost: 2.3 },
 ];
 
 #[test]

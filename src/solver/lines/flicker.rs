@@ -1,0 +1,89 @@
+//! A number of sweeps that flickers is kept.
+//!
+//! A constant number of sweeps brings a sheet to rest. One that rises and falls from substep to substep makes it jump between the states in which different
+//! numbers leave it: jumps that strain rows by more than the tolerance, which calls for more sweeps, which stills them, which calls for fewer. So where a number
+//! falls, rises and falls again, each soon after the other, and the sheet moves little, it falls no more until the last sweep but one has met rows
+//! that are within the tolerance by far. What rises and falls with a swing or a bounce is left alone: to keep that would draw out of the bounce what it put in with fewer
+//! sweeps, and drive it.
+
+/// Substeps from a fall to a rise and from a rise to a fall of a number that flickers.
+const SOON: u8 = 2;
+
+/// How the number of sweeps changed lately.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Flicker {
+    /// The sweeps that a substep takes at least; 0 where they change as they need.
+    kept: u8,
+    last: u8,
+    /// Substeps since the last fall, and since the last rise that came soon after a fall.
+    fall: u8,
+    rise: u8,
+}
+
+impl Flicker {
+    /// Of a number that was never another.
+    pub(super) const NONE: Self = Self { kept: 0, last: 0, fall: u8::MAX, rise: u8::MAX };
+
+    /// The sweeps that the next substep takes at least.
+    pub(super) fn kept(self) -> u32 {
+        u32::from(self.kept)
+    }
+
+    /// Learns what a substep took of sweeps, at least `least`; whether that was plenty; and whether the sheet moves little, which is looked at only where it matters.
+    pub(super) fn learn(&mut self, sweeps: u32, least: u32, plenty: bool, calm: impl FnOnce() -> bool) {
+        let sweeps = sweeps.min(u32::from(u8::MAX)) as u8;
+        (self.fall, self.rise) = (self.fall.saturating_add(1), self.rise.saturating_add(1));
+        if self.kept > 0 {
+            self.kept = if sweeps > self.kept { sweeps } else { self.kept - u8::from(plenty) };
+        } else if sweeps < self.last {
+            if self.rise <= SOON {
+                self.kept = self.last;
+            }
+            self.fall = 0;
+        } else if sweeps > self.last {
+            self.rise = if self.fall <= SOON { 0 } else { u8::MAX };
+        }
+        if self.kept > 0 && (self.kept() <= least || !calm()) {
+            self.kept = 0;
+        }
+        self.last = sweeps;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::vec::Vec;
+
+    use super::*;
+
+    /// What is kept after each of some substeps.
+    fn kept(sweeps: &[u32], plenty: bool, calm: bool) -> Vec<u32> {
+        let mut flicker = Flicker::NONE;
+        let mut learn = |&sweeps: &u32| {
+            flicker.learn(sweeps, 2, plenty, || calm);
+            flicker.kept()
+        };
+        sweeps.iter().map(&mut learn).collect()
+    }
+
+    #[test]
+    fn what_flickers_is_kept_until_it_is_plenty() {
+        let flickers = [2, 3, 2, 3, 2];
+        assert_eq!(kept(&flickers, false, true), [0, 0, 0, 0, 3]);
+        assert_eq!(kept(&flickers, false, false), [0; 5]);
+        // more are kept from there on, and one less at a time where they are plenty
+        assert_eq!(kept(&[2, 3, 2, 3, 2, 5, 5], false, true)[4..], [3, 5, 5]);
+        assert_eq!(kept(&[2, 6, 2, 6, 2, 6, 5, 4, 3], true, true)[4..], [6, 5, 4, 3, 0]);
+    }
+
+    #[test]
+    fn what_swings_is_left_alone() {
+        let bounce: Vec<u32> = [2, 2, 2, 3, 5, 6, 5, 4, 3, 2, 2].repeat(4);
+        assert!(kept(&bounce, false, true).iter().all(|&kept| kept == 0));
+    }
+
+    #[test]
+    fn any_number_of_sweeps_can_be_had() {
+        assert_eq!(kept(&[2, 1000, 2, 1000, 2], false, true)[4], 255);
+    }
+}
