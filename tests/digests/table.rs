@@ -50,7 +50,7 @@ pub(crate) const TABLE: &[(&str, &str, [u32; 4])] = &[
     ("moving-pin-and-ball", "Verlet", [0x4eeda01c, 0x419b18eb, 0xc3172107, 0x750dd380]),
     ("moving-pin-and-ball", "Leapfrog", [0x05866e30, 0x09825918, 0x2502d1b6, 0x2502d1b6]),
     ("moving-pin-and-ball", "Xpbd", [0x13a91259, 0x96d3b09c, 0x7bd98f40, 0xa2ea8f27]),
-    ("moving-pin-and-ball", "Lines", [0x4a4fcab4, 0x392025c2, 0xdf06aa18, 0xf7a6c8b8]),
+    ("moving-pin-and-ball", "Lines", [0x0dcbe405, 0x8eb26322, 0x31ae3196, 0x04fa4e96]),
     ("gravity", "ForwardEuler", [0x410fef2b, 0x6e71e1e6, 0x0cd7b717, 0x0cd7b717]),
     ("gravity", "BackwardEuler", [0x266fec2f, 0x399ce7fd, 0xdd181588, 0xe02d1d34]),
     ("gravity", "Verlet", [0xb6480b07, 0x1d65c524, 0x07aa7fa0, 0x6c8ebb68]),

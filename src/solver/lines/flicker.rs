@@ -1,13 +1,16 @@
 //! A number of sweeps that flickers is kept.
 //!
 //! A constant number of sweeps brings a sheet to rest. One that rises and falls from substep to substep makes it jump between the states in which different
-//! numbers leave it: jumps that strain rows by more than the tolerance, which calls for more sweeps, which stills them, which calls for fewer. So where a number
-//! falls, rises and falls again, each soon after the other, and the sheet moves little, it falls no more until the last sweep but one has met rows
-//! that are within the tolerance by far. What rises and falls with a swing or a bounce is left alone: to keep that would draw out of the bounce what it put in with fewer
-//! sweeps, and drive it.
+//! numbers leave it: jumps that strain rows by more than the tolerance, which calls for more sweeps, which still them, which calls for fewer. So where a number
+//! has fallen, risen and fallen again twice, each soon after the other, and the sheet moves little, it falls no more until the last sweep but one has met rows
+//! that are within the tolerance by far, or more sweeps are called for. What rises and falls with a swing or a bounce is left alone: what is stretched with few
+//! sweeps and let go with more gives back more than was put in.
 
 /// Substeps from a fall to a rise and from a rise to a fall of a number that flickers.
-const SOON: u8 = 2;
+const SOON: u8 = 3;
+
+/// How often a number flickers before it is kept. Once may be the height of a bounce.
+const TWICE: u8 = 2;
 
 /// How the number of sweeps changed lately.
 #[derive(Clone, Copy, Debug)]
@@ -18,11 +21,13 @@ pub(super) struct Flicker {
     /// Substeps since the last fall, and since the last rise that came soon after a fall.
     fall: u8,
     rise: u8,
+    /// How often it has flickered in a row.
+    flickers: u8,
 }
 
 impl Flicker {
     /// Of a number that was never another.
-    pub(super) const NONE: Self = Self { kept: 0, last: 0, fall: u8::MAX, rise: u8::MAX };
+    pub(super) const NONE: Self = Self { kept: 0, last: 0, fall: u8::MAX, rise: u8::MAX, flickers: 0 };
 
     /// The sweeps that the next substep takes at least.
     pub(super) fn kept(self) -> u32 {
@@ -34,10 +39,11 @@ impl Flicker {
         let sweeps = sweeps.min(u32::from(u8::MAX)) as u8;
         (self.fall, self.rise) = (self.fall.saturating_add(1), self.rise.saturating_add(1));
         if self.kept > 0 {
-            self.kept = if sweeps > self.kept { sweeps } else { self.kept - u8::from(plenty) };
+            self.kept = if sweeps > self.kept { 0 } else { self.kept - u8::from(plenty) };
         } else if sweeps < self.last {
-            if self.rise <= SOON {
-                self.kept = self.last;
+            self.flickers = if self.rise <= SOON { self.flickers + 1 } else { 0 };
+            if self.flickers == TWICE {
+                (self.kept, self.flickers) = (self.last, 0);
             }
             self.fall = 0;
         } else if sweeps > self.last {
@@ -67,13 +73,13 @@ mod tests {
     }
 
     #[test]
-    fn what_flickers_is_kept_until_it_is_plenty() {
-        let flickers = [2, 3, 2, 3, 2];
-        assert_eq!(kept(&flickers, false, true), [0, 0, 0, 0, 3]);
-        assert_eq!(kept(&flickers, false, false), [0; 5]);
-        // more are kept from there on, and one less at a time where they are plenty
-        assert_eq!(kept(&[2, 3, 2, 3, 2, 5, 5], false, true)[4..], [3, 5, 5]);
-        assert_eq!(kept(&[2, 6, 2, 6, 2, 6, 5, 4, 3], true, true)[4..], [6, 5, 4, 3, 0]);
+    fn what_flickers_twice_is_kept() {
+        let flickers = [2, 3, 2, 3, 2, 3, 2];
+        assert_eq!(kept(&flickers, false, true), [0, 0, 0, 0, 0, 0, 3]);
+        assert_eq!(kept(&flickers, false, false), [0; 7]);
+        // until it is plenty, one by one, or more are called for
+        assert_eq!(kept(&[2, 6, 2, 6, 2, 6, 2, 6, 5, 4, 3], true, true)[6..], [6, 5, 4, 3, 0]);
+        assert_eq!(kept(&[2, 3, 2, 3, 2, 3, 2, 3, 4], false, true)[6..], [3, 3, 0]);
     }
 
     #[test]
@@ -84,6 +90,6 @@ mod tests {
 
     #[test]
     fn any_number_of_sweeps_can_be_had() {
-        assert_eq!(kept(&[2, 1000, 2, 1000, 2], false, true)[4], 255);
+        assert_eq!(kept(&[2, 1000, 2, 1000, 2, 1000, 2], false, true)[6], 255);
     }
 }
