@@ -1,4 +1,4 @@
-//! The thesis' sheet, ten times as stiff: 10 m × 10 m, 1 kg a particle, laid flat and let go.
+//! The thesis' sheet, ten times as stiff: 10 m × 10 m, laid flat and let go.
 
 use kerchief::host::Counted;
 use kerchief::{
@@ -25,6 +25,8 @@ pub(crate) enum Hold {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sheet {
     pub(crate) side: usize,
+    /// Of a particle, kg.
+    pub(crate) mass: f64,
     pub(crate) hold: Hold,
     /// Of the facet model, m/s.
     pub(crate) wind: Option<[f64; 3]>,
@@ -73,7 +75,7 @@ impl Sheet {
     }
 
     fn moved<S: Scalar, V: Solver<S>>(&self, solver: V, substeps: u32) -> Motion {
-        let units = Units::sheet([self.side; 2], [SIZE; 2], 1.0, FRAME, substeps);
+        let units = Units::sheet([self.side; 2], [SIZE; 2], self.mass, FRAME, substeps);
         let gravity = Gravity::new(units.acceleration([0.0, 0.0, -9.81]));
         // a tenth of the motion is lost in a frame
         let drag = Drag::new(units.drag(-0.9_f64.ln() / FRAME));
