@@ -85,9 +85,6 @@ const WARM: f64 = 0.8;
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
 
-/// The part of the tolerance within which rows have to be before the last of the sweeps that are kept, for the next substep to do without that.
-const BY_FAR: f64 = 0.25;
-
 /// How far particles move in a substep of a sheet whose sweeps may be kept, cells. Where they move further, that is what their number follows.
 const CALM: f64 = 0.2;
 
@@ -173,8 +170,11 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             (before, met) = (met, relax.sweep(physics.links, false));
             sweeps += 1;
         }
-        let plenty = before < tolerance * S::from_f64(BY_FAR);
-        memory.flicker.learn(sweeps, self.sweeps, plenty, || is_calm(relax.cloth, moment));
+        // the last sweep but one has met rows within a quarter of the tolerance
+        memory.flicker.learn(sweeps, self.sweeps, before < tolerance.halve(2));
+        if memory.flicker.kept() > 0 && !is_calm(cloth, moment) {
+            memory.flicker.release();
+        }
         let rough = met > S::from_f64(ROUGH);
         damp(cloth, &memory.earlier, Act::Second);
         confine(physics, cloth, moment);
@@ -187,12 +187,12 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
 }
 
 /// Whether no particle moves by more than a part of a cell in a substep. In motion one of the first does.
+#[inline(never)] // few substeps ask
 fn is_calm<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, moment: Moment) -> bool {
-    let most = S::from_f64(CALM);
-    cloth.velocity.values().all(|velocity| {
-        let Vec3 { x, y, z } = moment.displacement(velocity);
-        x.abs() < most && y.abs() < most && z.abs() < most
-    })
+    // fixed point holds no larger speeds than those of 512 substeps
+    let most = S::from_f64(CALM).double(moment.shift.min(9));
+    let calm = |speeds: &[S; W]| speeds.iter().fold(S::ZERO, |most, speed| most.max(speed.abs())) < most;
+    cloth.velocity.0.iter().all(|row| calm(&row.x) && calm(&row.y) && calm(&row.z))
 }
 
 /// Moves a particle by a link.

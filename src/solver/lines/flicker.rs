@@ -18,7 +18,7 @@ pub(super) struct Flicker {
     /// The sweeps that a substep takes at least; 0 where they change as they need.
     kept: u8,
     last: u8,
-    /// Substeps since the last fall, and since the last rise that came soon after a fall.
+    /// For how many substeps the last fall, and the last rise that came soon after a fall, still count.
     fall: u8,
     rise: u8,
     /// How often it has flickered in a row.
@@ -26,33 +26,39 @@ pub(super) struct Flicker {
 }
 
 impl Flicker {
-    /// Of a number that was never another.
-    pub(super) const NONE: Self = Self { kept: 0, last: 0, fall: u8::MAX, rise: u8::MAX, flickers: 0 };
+    /// Of a number that was never another: nothing but zeros, so that a solver's memory needs no copy of its start.
+    pub(super) const NONE: Self = Self { kept: 0, last: 0, fall: 0, rise: 0, flickers: 0 };
 
     /// The sweeps that the next substep takes at least.
     pub(super) fn kept(self) -> u32 {
         u32::from(self.kept)
     }
 
-    /// Learns what a substep took of sweeps, at least `least`; whether that was plenty; and whether the sheet moves little, which is looked at only where it matters.
-    pub(super) fn learn(&mut self, sweeps: u32, least: u32, plenty: bool, calm: impl FnOnce() -> bool) {
+    /// Lets their number change as it needs.
+    pub(super) fn release(&mut self) {
+        self.kept = 0;
+    }
+
+    /// Learns what a substep took of sweeps, at least `least`, and whether that was plenty.
+    #[inline(never)] // one for all scenes
+    pub(super) fn learn(&mut self, sweeps: u32, least: u32, plenty: bool) {
         let sweeps = sweeps.min(u32::from(u8::MAX)) as u8;
-        (self.fall, self.rise) = (self.fall.saturating_add(1), self.rise.saturating_add(1));
         if self.kept > 0 {
             self.kept = if sweeps > self.kept { 0 } else { self.kept - u8::from(plenty) };
         } else if sweeps < self.last {
-            self.flickers = if self.rise <= SOON { self.flickers + 1 } else { 0 };
+            self.flickers = if self.rise > 0 { self.flickers + 1 } else { 0 };
             if self.flickers == TWICE {
                 (self.kept, self.flickers) = (self.last, 0);
             }
-            self.fall = 0;
+            self.fall = SOON + 1;
         } else if sweeps > self.last {
-            self.rise = if self.fall <= SOON { 0 } else { u8::MAX };
+            self.rise = if self.fall > 0 { SOON + 1 } else { 0 };
         }
-        if self.kept > 0 && (self.kept() <= least || !calm()) {
-            self.kept = 0;
+        if self.kept() <= least {
+            self.release();
         }
         self.last = sweeps;
+        (self.fall, self.rise) = (self.fall.saturating_sub(1), self.rise.saturating_sub(1));
     }
 }
 
@@ -63,10 +69,10 @@ mod tests {
     use super::*;
 
     /// What is kept after each of some substeps.
-    fn kept(sweeps: &[u32], plenty: bool, calm: bool) -> Vec<u32> {
+    fn kept(sweeps: &[u32], plenty: bool) -> Vec<u32> {
         let mut flicker = Flicker::NONE;
         let mut learn = |&sweeps: &u32| {
-            flicker.learn(sweeps, 2, plenty, || calm);
+            flicker.learn(sweeps, 2, plenty);
             flicker.kept()
         };
         sweeps.iter().map(&mut learn).collect()
@@ -75,21 +81,20 @@ mod tests {
     #[test]
     fn what_flickers_twice_is_kept() {
         let flickers = [2, 3, 2, 3, 2, 3, 2];
-        assert_eq!(kept(&flickers, false, true), [0, 0, 0, 0, 0, 0, 3]);
-        assert_eq!(kept(&flickers, false, false), [0; 7]);
+        assert_eq!(kept(&flickers, false), [0, 0, 0, 0, 0, 0, 3]);
         // until it is plenty, one by one, or more are called for
-        assert_eq!(kept(&[2, 6, 2, 6, 2, 6, 2, 6, 5, 4, 3], true, true)[6..], [6, 5, 4, 3, 0]);
-        assert_eq!(kept(&[2, 3, 2, 3, 2, 3, 2, 3, 4], false, true)[6..], [3, 3, 0]);
+        assert_eq!(kept(&[2, 6, 2, 6, 2, 6, 2, 6, 5, 4, 3], true)[6..], [6, 5, 4, 3, 0]);
+        assert_eq!(kept(&[2, 3, 2, 3, 2, 3, 2, 3, 4], false)[6..], [3, 3, 0]);
     }
 
     #[test]
     fn what_swings_is_left_alone() {
         let bounce: Vec<u32> = [2, 2, 2, 3, 5, 6, 5, 4, 3, 2, 2].repeat(4);
-        assert!(kept(&bounce, false, true).iter().all(|&kept| kept == 0));
+        assert!(kept(&bounce, false).iter().all(|&kept| kept == 0));
     }
 
     #[test]
     fn any_number_of_sweeps_can_be_had() {
-        assert_eq!(kept(&[2, 1000, 2, 1000, 2, 1000, 2], false, true)[6], 255);
+        assert_eq!(kept(&[2, 1000, 2, 1000, 2, 1000, 2], false)[6], 255);
     }
 }
