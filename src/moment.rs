@@ -1,6 +1,6 @@
 //! A moment within a frame.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Rounding, Scalar};
 use crate::vec3::Vec3;
 
 /// Which substep of a frame a solver is in, and how displacements and velocities belong together there.
@@ -8,6 +8,8 @@ use crate::vec3::Vec3;
 pub struct Moment {
     /// The substep, counted from 1.
     pub substep: u32,
+    /// The substeps of the frame.
+    pub substeps: u32,
     /// The logarithm to base 2 of the substeps in a tick.
     pub shift: u32,
     /// Twice the velocity, in units of displacement per substep, that belongs to a displacement: 2 for one-step methods, 3 for BDF2.
@@ -19,6 +21,12 @@ impl Moment {
     #[inline]
     pub fn ticks<S: Scalar>(self) -> S {
         S::ONE.halve(self.shift).times(self.substep as i32)
+    }
+
+    /// How corrections are rounded in this substep.
+    #[inline]
+    pub const fn rounding(self) -> Rounding {
+        Rounding::of_turn(self.substep - 1, self.substeps, self.shift)
     }
 
     /// The velocity that belongs to a displacement within the substep.

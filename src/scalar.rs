@@ -10,12 +10,14 @@ mod fixed24;
 mod float;
 #[cfg(any(test, all(not(feature = "std"), target_abi = "eabihf")))]
 mod root;
+mod rounding;
 mod wide;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 pub use fixed24::{Fixed24, Q13, Q24};
+pub use rounding::Rounding;
 
 /// A number that a sheet can be computed in.
 ///
@@ -117,7 +119,7 @@ pub trait Scalar:
 
     /// What is done to both ends of a link d to undo `part` of its elongation, `part·(1 − L/|d|)·d`; `|part| ≤ 1`.
     #[inline]
-    fn correction(d: [Self; 3], rest: &Rest<Self>, part: Self) -> [Self; 3] {
+    fn correction(d: [Self; 3], rest: &Rest<Self>, part: Self, _: Rounding) -> [Self; 3] {
         let part = Self::elongation(squared(d), rest) * part;
         [d[0] * part, d[1] * part, d[2] * part]
     }

@@ -79,6 +79,6 @@ impl<F, L, C, V> Scene<F, L, C, V> {
     }
 
     fn end(&self) -> Moment {
-        Moment { substep: self.substeps, shift: self.shift, halves: 2 }
+        Moment { substep: self.substeps, substeps: self.substeps, shift: self.shift, halves: 2 }
     }
 }

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
-use crate::scalar::{Rest, Scalar};
+use crate::scalar::{Rest, Rounding, Scalar};
 
 /// A vector (x, y, z); z points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -97,8 +97,8 @@ impl<S: Scalar> Vec3<S> {
     /// What [`Scalar::correction`] makes of this edge.
     #[inline(always)]
     #[must_use]
-    pub fn correction(self, rest: &Rest<S>, part: S) -> Self {
-        Self::of(S::correction(self.array(), rest, part))
+    pub fn correction(self, rest: &Rest<S>, part: S, rounding: Rounding) -> Self {
+        Self::of(S::correction(self.array(), rest, part, rounding))
     }
 
     /// `|self| − L` and `self/|self|`.

@@ -13,7 +13,7 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 use fixed::types::I8F24;
 
 use super::wide::Wide;
-use super::{Rest, Scalar};
+use super::{Rest, Rounding, Scalar};
 use product::{round, signed};
 use quotient::{divide, quotient, root, saturate};
 
@@ -233,9 +233,9 @@ impl<K: Kernel> Scalar for Fixed24<K> {
         Self::from_bits(exact::elongation(squares.squares(), rest))
     }
 
-    #[inline]
-    fn correction(d: [Self; 3], rest: &Rest<Self>, part: Self) -> [Self; 3] {
-        each(K::correction(each(d, Self::to_bits), rest, part.to_bits()), Self::from_bits)
+    #[inline(always)]
+    fn correction(d: [Self; 3], rest: &Rest<Self>, part: Self, rounding: Rounding) -> [Self; 3] {
+        each(K::correction(each(d, Self::to_bits), rest, part.to_bits(), rounding), Self::from_bits)
     }
 
     #[inline]

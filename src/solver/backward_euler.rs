@@ -69,9 +69,14 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
         let shift = moment.shift;
         let inertia = S::ONE + physics.forces.drag().rate;
         let slowed = inertia.recip();
-        predict::predict(physics.forces, cloth, shift, |velocity, gain| {
-            if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
-        });
+        predict::predict(
+            physics.forces,
+            cloth,
+            |velocity, gain| {
+                if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
+            },
+            |position, velocity| [position + moment.displacement(velocity), velocity],
+        );
         let system = System { inertia, scale: scale(physics.links) };
         memory.correction = Vectors::filled(Vec3::ZERO);
         for _ in 0..self.newton_steps {

@@ -11,17 +11,18 @@ pub(super) struct Ordinary<const W: usize, const H: usize> {
     pub(super) columns: [bool; W],
 }
 
+/// The rows of nothing but particles of mass 1.
+pub(super) fn rows<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>) -> [bool; H] {
+    core::array::from_fn(|row| cloth.inverse_mass.0[row].iter().all(|&w| w == S::ONE))
+}
+
 impl<const W: usize, const H: usize> Ordinary<W, H> {
     pub(super) fn new<S: Scalar>(cloth: &Cloth<S, W, H>) -> Self {
-        let mut found = Self { held: [true; H], rows: [true; H], columns: [true; W] };
-        for ((row, held), masses) in found.rows.iter_mut().zip(&mut found.held).zip(&cloth.inverse_mass.0) {
-            for (column, w) in found.columns.iter_mut().zip(masses) {
-                if *w != S::ONE {
-                    (*row, *column) = (false, false);
-                }
-                *held &= *w == S::ZERO;
-            }
+        let masses = &cloth.inverse_mass.0;
+        Self {
+            held: core::array::from_fn(|row| masses[row].iter().all(|&w| w == S::ZERO)),
+            rows: rows(cloth),
+            columns: core::array::from_fn(|column| (0..H).all(|row| masses[row][column] == S::ONE)),
         }
-        found
     }
 }

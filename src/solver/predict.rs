@@ -7,7 +7,7 @@ use crate::link::{Family, Links, Visitor, each};
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
-/// Gives every particle the velocity `next(velocity, gain)` and lets it drift with it for a substep.
+/// Gives every particle the velocity `next(velocity, gain)`, and then the position and velocity `go(position, velocity)`.
 ///
 /// Row by row: a row has all its wind once the cells below it are done, and no later row looks back at it. So the wind needs two rows
 /// of memory, and acts on the positions and velocities of one moment.
@@ -15,8 +15,8 @@ use crate::vec3::Vec3;
 pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     forces: &F,
     cloth: &mut Cloth<S, W, H>,
-    shift: u32,
     next: impl Fn(Vec3<S>, Vec3<S>) -> Vec3<S>,
+    go: impl Fn(Vec3<S>, Vec3<S>) -> [Vec3<S>; 2],
 ) {
     let uniform = forces.uniform();
     let mut gain = Vec3::row(Vec3::ZERO);
@@ -25,18 +25,21 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
         for column in 0..W {
             let node = Node { column, row };
             let inverse_mass = cloth.inverse_mass[node];
+            let mut velocity = cloth.velocity.at(node);
             if inverse_mass != S::ZERO {
                 let own = |gain: Vec3<S>| {
                     // exact in fixed point, where looking costs less than three products
                     if !S::FLOATS && inverse_mass == S::ONE { gain } else { gain * inverse_mass }
                 };
                 let gain = if F::FIELD { own(gain.at(column)) + uniform } else { uniform };
-                cloth.velocity.set(node, next(cloth.velocity.at(node), gain));
+                velocity = next(velocity, gain);
             }
+            let [position, velocity] = go(cloth.position.at(node), velocity);
+            cloth.position.set(node, position);
+            cloth.velocity.set(node, velocity);
         }
         gain = below;
     }
-    drift(cloth, shift);
 }
 
 /// Completes what the fields give to a row of particles of mass 1, and returns what they give to the next row so far.

@@ -7,11 +7,23 @@ use crate::cloth::Cloth;
 use crate::grid::Node;
 use crate::link::{Family, Links, Quotient, Visitor, each_row, in_row};
 use crate::moment::Moment;
-use crate::scalar::{Rest, Scalar};
-use crate::solver::ordinary::Ordinary;
+use crate::scalar::{Rest, Rounding, Scalar};
+use crate::solver::ordinary;
 use crate::vec3::Vec3;
 
-/// Projects every spring `parts` times, each time at one part in `parts` of its stiffness.
+/// Lets a particle go with its velocity for a substep, to where [`sweeps`] start from.
+///
+/// In fixed point, whose sums are exact, sweeps are of positions alone: velocities that take part in every correction and those that are
+/// completed at the end are the same. What is not the position's is set aside in the velocity's place.
+#[inline(always)]
+pub(super) fn go<S: Scalar, L: Links<S>>(moment: Moment) -> impl Fn(Vec3<S>, Vec3<S>) -> [Vec3<S>; 2] {
+    move |position, velocity| {
+        let position = position + moment.displacement(velocity);
+        [position, if L::SPRINGS && !S::FLOATS { velocity - moment.velocity(position) } else { velocity }]
+    }
+}
+
+/// Projects every spring `parts` times, each time at one part in `parts` of its stiffness. Particles have been let [`go`].
 #[inline]
 pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     links: &L,
@@ -22,28 +34,15 @@ pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     if !L::SPRINGS {
         return;
     }
-    let ordinary = Ordinary::new(cloth).rows;
-    // sums in fixed point are exact: velocities that take part in every correction and those that are completed at the end are the same
-    if !S::FLOATS {
-        carry(cloth, |position, velocity| velocity - moment.velocity(position));
-    }
+    let ordinary = ordinary::rows(cloth);
     for _ in 0..parts {
-        links.springs(&mut Project { cloth, moment, parts, ordinary });
+        links.springs(&mut Project { cloth, moment, rounding: moment.rounding(), parts, ordinary });
     }
     if !S::FLOATS {
-        carry(cloth, |position, velocity| velocity + moment.velocity(position));
-    }
-}
-
-/// Changes all velocities.
-#[inline(always)]
-fn carry<S: Scalar, const W: usize, const H: usize>(
-    cloth: &mut Cloth<S, W, H>,
-    change: impl Fn(Vec3<S>, Vec3<S>) -> Vec3<S>,
-) {
-    for (position, velocity) in cloth.position.0.iter().zip(&mut cloth.velocity.0) {
-        for column in 0..W {
-            velocity.set(column, change(position.at(column), velocity.at(column)));
+        for (position, velocity) in cloth.position.0.iter().zip(&mut cloth.velocity.0) {
+            for column in 0..W {
+                velocity.set(column, velocity.at(column) + moment.velocity(position.at(column)));
+            }
         }
     }
 }
@@ -51,6 +50,7 @@ fn carry<S: Scalar, const W: usize, const H: usize>(
 struct Project<'a, S, const W: usize, const H: usize> {
     cloth: &'a mut Cloth<S, W, H>,
     moment: Moment,
+    rounding: Rounding,
     parts: u32,
     /// Rows of nothing but particles of mass 1: their masses need not be looked at.
     ordinary: [bool; H],
@@ -60,7 +60,7 @@ impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
     /// Projects a link between particles of mass 1.
     #[inline(always)]
     fn join(&mut self, a: Node, b: Node, rest: &Rest<S>, part: S) {
-        let by = (self.cloth.position.at(b) - self.cloth.position.at(a)).correction(rest, part);
+        let by = (self.cloth.position.at(b) - self.cloth.position.at(a)).correction(rest, part, self.rounding);
         self.displace(a, by);
         self.displace(b, -by);
     }
@@ -76,10 +76,10 @@ impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
             let part = strength.against(wa + wb);
             if !S::FLOATS && part > S::ONE {
                 // between heavy particles: times their inverse masses it is a part again, which fixed point needs
-                self.displace(a, d.correction(rest, part * wa));
-                self.displace(b, -d.correction(rest, part * wb));
+                self.displace(a, d.correction(rest, part * wa, self.rounding));
+                self.displace(b, -d.correction(rest, part * wb, self.rounding));
             } else {
-                let by = d.correction(rest, part);
+                let by = d.correction(rest, part, self.rounding);
                 self.displace(a, by * wa);
                 self.displace(b, -(by * wb));
             }

@@ -7,6 +7,7 @@ use crate::link::Links;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, predict, sweep};
+use crate::vec3::Vec3;
 
 /// Position Verlet `x' = x + (1 − D)·(x − x_old) + h²·a`, then `sweeps` relaxations of all springs.
 ///
@@ -34,9 +35,10 @@ impl<S: Scalar> Solver<S> for Verlet {
     ) {
         let decay = physics.forces.drag().decay;
         predict::damp(physics.links, cloth);
-        predict::predict(physics.forces, cloth, moment.shift, |velocity, gain| {
+        let next = |velocity: Vec3<S>, gain: Vec3<S>| {
             if F::DRAG { velocity * decay + gain } else { velocity + gain }
-        });
+        };
+        predict::predict(physics.forces, cloth, next, sweep::go::<S, L>(moment));
         sweep::sweeps(physics.links, cloth, moment, self.sweeps);
         confine(physics, cloth, moment);
     }

@@ -7,6 +7,7 @@ use crate::link::Links;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, predict, sweep};
+use crate::vec3::Vec3;
 
 /// Extended position-based dynamics, first order, stable for any stiffness and step.
 ///
@@ -29,9 +30,10 @@ impl<S: Scalar> Solver<S> for Xpbd {
     ) {
         let drag = physics.forces.drag();
         predict::damp(physics.links, cloth);
-        predict::predict(physics.forces, cloth, moment.shift, |velocity, gain| {
+        let next = |velocity: Vec3<S>, gain: Vec3<S>| {
             if F::DRAG { velocity * drag.decay + gain * drag.gain } else { velocity + gain }
-        });
+        };
+        predict::predict(physics.forces, cloth, next, sweep::go::<S, L>(moment));
         sweep::sweeps(physics.links, cloth, moment, 1);
         confine(physics, cloth, moment);
     }

@@ -5,7 +5,7 @@ use super::newton::inverse_root_wide;
 use super::product::{self, round, signed, unsigned};
 use super::quotient::{divide, root, saturate};
 use super::{FRACTION, Fixed24, ONE, each};
-use crate::scalar::Rest;
+use crate::scalar::{Rest, Rounding};
 
 /// Products of 64 bits: every result is right to its last place or the one before.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -123,7 +123,7 @@ impl Kernel for Exact {
 
     #[inline]
     fn multiply(a: i32, b: i32) -> i32 {
-        product::rounded(a, b)
+        product::rounded(a, b, Rounding::NEAREST)
     }
 
     #[inline]
@@ -137,9 +137,9 @@ impl Kernel for Exact {
     }
 
     #[inline]
-    fn correction(d: [i32; 3], rest: &Rest<Fixed24<Self>>, part: i32) -> [i32; 3] {
+    fn correction(d: [i32; 3], rest: &Rest<Fixed24<Self>>, part: i32, rounding: Rounding) -> [i32; 3] {
         let part = Self::multiply(elongation(dot(d, d) as u64, rest), part);
-        each(d, |d| Self::multiply(d, part))
+        each(d, |d| product::rounded(d, part, rounding))
     }
 
     #[inline]

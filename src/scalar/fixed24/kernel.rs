@@ -4,7 +4,7 @@ use core::fmt::Debug;
 use core::hash::Hash;
 
 use super::Fixed24;
-use crate::scalar::Rest;
+use crate::scalar::{Rest, Rounding};
 
 /// How products, quotients and links are computed, on the bits of numbers with 24 fraction bits.
 ///
@@ -23,7 +23,7 @@ pub trait Kernel: Copy + Debug + Default + Ord + Hash + 'static {
     fn reciprocal(x: i32) -> i32;
 
     /// `part·(1 − L/|d|)·d` for `|part| ≤ 1`.
-    fn correction(d: [i32; 3], rest: &Rest<Fixed24<Self>>, part: i32) -> [i32; 3];
+    fn correction(d: [i32; 3], rest: &Rest<Fixed24<Self>>, part: i32, rounding: Rounding) -> [i32; 3];
 
     /// `|d| − L` and `d/|d|`.
     fn direction(d: [i32; 3], rest: &Rest<Fixed24<Self>>) -> (i32, [i32; 3]);

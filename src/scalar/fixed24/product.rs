@@ -4,6 +4,7 @@
 //! halves of 16 bits it takes four products and half the time.
 
 use super::FRACTION;
+use crate::scalar::Rounding;
 
 /// Whether the machine multiplies to 64 bits. (Rust can't be asked for that; of the machines with the Thumb instructions it is those with atomics.)
 const WIDE: bool = cfg!(not(target_arch = "arm")) || cfg!(target_has_atomic = "32");
@@ -26,10 +27,15 @@ pub(super) const fn mixed(a: i32, b: u32) -> i64 {
     if WIDE { a as i64 * b as i64 } else { mixed_by_halves(a, b) }
 }
 
-/// `a·b` for numbers with 24 fraction bits, rounded to nearest; it wraps.
+/// `a·b` for numbers with 24 fraction bits; it wraps.
 #[inline(always)]
-pub(super) const fn rounded(a: i32, b: i32) -> i32 {
-    if WIDE { round(a as i64 * b as i64) as i32 } else { rounded_by_halves(a, b) }
+pub(super) const fn rounded(a: i32, b: i32, rounding: Rounding) -> i32 {
+    let offset = rounding.offset() as i32;
+    if WIDE {
+        ((a as i64 * b as i64).wrapping_add((offset as i64) << (FRACTION - 8)) >> FRACTION) as i32
+    } else {
+        rounded_by_halves(a, b, offset)
+    }
 }
 
 /// Drops 24 fraction bits, rounding to nearest.
@@ -67,15 +73,15 @@ const fn mixed_by_halves(a: i32, b: u32) -> i64 {
     product.wrapping_sub(((b & (a >> 31) as u32) as u64) << 32) as i64
 }
 
-/// Without the lowest bits, which rounding drops.
+/// Without the lowest bits, which rounding drops, as an `offset` in 256ths of a last place has none of them.
 #[inline(always)]
-const fn rounded_by_halves(a: i32, b: i32) -> i32 {
+const fn rounded_by_halves(a: i32, b: i32, offset: i32) -> i32 {
     let [low_a, low_b, high_a, high_b] = [a & 0xffff, b & 0xffff, a >> 16, b >> 16];
     let low = low_a.wrapping_mul(low_b) as u32 >> 16;
     let middle = high_a.wrapping_mul(low_b).wrapping_add(low as i32);
     let lower = low_a.wrapping_mul(high_b).wrapping_add(middle & 0xffff);
     let high = high_a.wrapping_mul(high_b).wrapping_add(middle >> 16);
-    high.wrapping_shl(8).wrapping_add(lower.wrapping_add(1 << 7) >> 8)
+    high.wrapping_shl(8).wrapping_add(lower.wrapping_add(offset) >> 8)
 }
 
 #[cfg(test)]
@@ -103,7 +109,31 @@ mod tests {
             assert_eq!(unsigned_by_halves(u, v), u64::from(u) * u64::from(v), "{u} · {v}");
             assert_eq!(signed_by_halves(a, b), i64::from(a) * i64::from(b), "{a} · {b}");
             assert_eq!(mixed_by_halves(a, v), i64::from(a) * i64::from(v), "{a} · {v}");
-            assert_eq!(rounded_by_halves(a, b), round(i64::from(a) * i64::from(b)) as i32, "{a} · {b}");
+            let exact = i128::from(a) * i128::from(b);
+            for (turn, offset) in [(0, 64), (1, 192)] {
+                let expected = ((exact + (offset << 16)) >> FRACTION) as i32;
+                assert_eq!(rounded(a, b, Rounding::of_turn(turn, 2, 1)), expected, "{a} · {b}");
+                assert_eq!(rounded_by_halves(a, b, offset as i32), expected, "{a} · {b}");
+            }
+            assert_eq!(rounded(a, b, Rounding::NEAREST), round(i64::from(a) * i64::from(b)) as i32, "{a} · {b}");
+        }
+    }
+
+    #[test]
+    fn products_of_all_turns_add_up_to_the_product_however_small_they_are() {
+        for a in -40..=40 {
+            let b = 1 << 21 | 12_345;
+            for shift in 0..6 {
+                let turns = 1 << shift;
+                let sum: i32 = (0..turns).map(|turn| rounded(a, b, Rounding::of_turn(turn, turns, shift))).sum();
+                assert_eq!(sum, rounded(a << shift, b, Rounding::NEAREST), "{a} in {turns} turns");
+            }
+            for turns in 1..=128_u32 {
+                let shift = turns.next_power_of_two().trailing_zeros();
+                let sum: i32 = (0..turns).map(|turn| rounded(a, b, Rounding::of_turn(turn, turns, shift))).sum();
+                let exact = rounded(a * turns as i32, b, Rounding::NEAREST);
+                assert!((sum - exact).abs() <= 2, "{a} in {turns} turns: {sum}, exactly {exact}");
+            }
         }
     }
 }

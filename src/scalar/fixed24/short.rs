@@ -4,7 +4,7 @@ use super::exact::{self, dot};
 use super::kernel::Kernel;
 use super::quotient::divide;
 use super::{FRACTION, Fixed24, ONE, each, product};
-use crate::scalar::Rest;
+use crate::scalar::{Rest, Rounding};
 
 /// Edges of 13 fraction bits, products of 32 bits: links are measured to 6·10⁻⁵ cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -17,6 +17,12 @@ const EDGE: u32 = 13;
 #[inline(always)]
 const fn shift(bits: i32, shift: u32) -> i32 {
     bits.wrapping_add(1 << (shift - 1)) >> shift
+}
+
+/// `bits/2^shift`, rounded as told, for shifts of 8 and more.
+#[inline(always)]
+const fn rounded(bits: i32, shift: u32, rounding: Rounding) -> i32 {
+    bits.wrapping_add((rounding.offset() as i32) << (shift - 8)) >> shift
 }
 
 #[inline(always)]
@@ -54,20 +60,20 @@ impl Edge {
     /// b ≤ 3·L⁻⁵·2¹⁴ and c ≤ 5·L⁻⁷·2¹¹. So `e·c` ≤ 5/8·L⁻⁵·2²⁷ ≤ 0.91·2³⁰, which adds up to 5/48 to b; `e·(b − e·c)` ≤ 1.11·3/8·L⁻³·2³⁰ ≤ 1.82·2³⁰, which adds
     /// up to 0.052 to a; and the last product is within 1.06·L⁻¹·2²⁹ ≤ 0.87·2³⁰.
     #[inline(always)]
-    fn series(&self, [a, b, c]: [i32; 3]) -> i32 {
+    fn series(&self, [a, b, c]: [i32; 3], rounding: Rounding) -> i32 {
         let e = shift(self.e, 10);
         let inner = b.wrapping_sub(times(e, c) >> 14);
         let inner = a.wrapping_sub(times(e, inner) >> 16);
-        shift(times(e, inner), 13)
+        rounded(times(e, inner), 13, rounding)
     }
 }
 
 /// Full range, out of the way of the rest.
 #[inline(never)]
 #[cold]
-fn far_correction(d: [i32; 3], rest: &Rest<Fixed24<Short>>, part: i32) -> [i32; 3] {
+fn far_correction(d: [i32; 3], rest: &Rest<Fixed24<Short>>, part: i32, rounding: Rounding) -> [i32; 3] {
     let part = Short::multiply(exact::elongation(dot(d, d) as u64, rest), part);
-    each(d, |d| Short::multiply(d, part))
+    each(d, |d| product::rounded(d, part, rounding))
 }
 
 /// Full range, out of the way of the rest.
@@ -90,7 +96,7 @@ impl Kernel for Short {
 
     #[inline(always)]
     fn multiply(a: i32, b: i32) -> i32 {
-        product::rounded(a, b)
+        product::rounded(a, b, Rounding::NEAREST)
     }
 
     /// To 14 fraction bits of the ratio: two products, where [`multiply`](Self::multiply) has four.
@@ -123,14 +129,14 @@ impl Kernel for Short {
     }
 
     #[inline(always)]
-    fn correction(d: [i32; 3], rest: &Rest<Fixed24<Self>>, part: i32) -> [i32; 3] {
-        let Some(edge) = Edge::near(d, rest) else { return far_correction(d, rest, part) };
+    fn correction(d: [i32; 3], rest: &Rest<Fixed24<Self>>, part: i32, rounding: Rounding) -> [i32; 3] {
+        let Some(edge) = Edge::near(d, rest) else { return far_correction(d, rest, part, rounding) };
         // part·(1 − 1/√(1 + ε)), ε = e/L²: the next term would be 35/128·ε⁴ < 7e-5
         let once = Self::multiply(part, rest.inverse_square.to_bits());
         let twice = Self::multiply(once, rest.inverse_square.to_bits());
         let thrice = Self::multiply(twice, rest.inverse_square.to_bits());
-        let part = edge.series([once >> 8, (twice >> 10) * 3, (thrice >> 13) * 5]);
-        each(edge.d, |d| shift(times(d, part), 9))
+        let part = edge.series([once >> 8, (twice >> 10) * 3, (thrice >> 13) * 5], rounding);
+        each(edge.d, |d| rounded(times(d, part), 9, rounding))
     }
 
     #[inline(always)]
@@ -142,8 +148,8 @@ impl Kernel for Short {
         let fifth = Self::multiply(third, square);
         let seventh = Self::multiply(fifth, square);
         // L·(√(1 + ε) − 1) and (1 − 1/√(1 + ε))/L
-        let excess = edge.series([inverse >> 8, third >> 10, fifth >> 13]);
-        let less = edge.series([third >> 8, (fifth >> 10) * 3, (seventh >> 13) * 5]);
+        let excess = edge.series([inverse >> 8, third >> 10, fifth >> 13], Rounding::NEAREST);
+        let less = edge.series([third >> 8, (fifth >> 10) * 3, (seventh >> 13) * 5], Rounding::NEAREST);
         let inverse = shift(inverse, 7).wrapping_sub(shift(less, 3));
         (excess << 4, each(edge.d, |d| shift(times(d, inverse), 6)))
     }
@@ -209,7 +215,7 @@ mod tests {
                         "{length} × {stretch}"
                     );
                 }
-                let by = Q13::correction(d, &rest, Q13::HALF);
+                let by = Q13::correction(d, &rest, Q13::HALF, Rounding::NEAREST);
                 for (by, d) in by.into_iter().zip(d) {
                     let expected = 0.5 * (1.0 - length / exact) * d.to_f64();
                     assert!((by.to_f64() - expected).abs() < bound.max(1e-6 * expected.abs()), "{length} × {stretch}");
@@ -224,7 +230,7 @@ mod tests {
         for (across, down) in [(1, 0), (1, 1), (2, 0)] {
             let rest = Rest::<Q13>::spanning(Q13::from_int(across), Q13::from_int(down));
             let d = [Q13::from_int(across), Q13::ZERO, Q13::from_int(down)];
-            assert_eq!(Q13::correction(d, &rest, Q13::HALF), [Q13::ZERO; 3]);
+            assert_eq!(Q13::correction(d, &rest, Q13::HALF, Rounding::NEAREST), [Q13::ZERO; 3]);
             assert_eq!(Q13::direction(d, &rest).0, Q13::ZERO);
         }
     }
@@ -232,7 +238,7 @@ mod tests {
     #[test]
     fn coincident_particles_have_no_direction() {
         let rest = Rest::<Q13>::spanning(Q13::ONE, Q13::ZERO);
-        assert_eq!(Q13::correction([Q13::ZERO; 3], &rest, Q13::HALF), [Q13::ZERO; 3]);
+        assert_eq!(Q13::correction([Q13::ZERO; 3], &rest, Q13::HALF, Rounding::NEAREST), [Q13::ZERO; 3]);
         assert_eq!(Q13::direction([Q13::ZERO; 3], &rest), (-Q13::ONE, [Q13::ZERO; 3]));
     }
 
@@ -268,7 +274,7 @@ mod tests {
                         "{length} × {strain}: {normal:?}"
                     );
                     for part in [-1.0, 0.5, 1.0] {
-                        let by = Q13::correction(d, &rest, Q13::from_f64(part))[axis].to_f64();
+                        let by = Q13::correction(d, &rest, Q13::from_f64(part), Rounding::NEAREST)[axis].to_f64();
                         assert!((by - part * length * strain).abs() < 2.0 * bound, "{length} × {strain}, {part}: {by}");
                     }
                 }

@@ -21,11 +21,13 @@ pub(super) fn first_order<S: Scalar, F: Force<S>, const W: usize, const H: usize
     predict::predict(
         forces,
         cloth,
-        moment.shift,
         |velocity, gain| {
             if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
         },
+        |position, velocity| [position, velocity],
     );
+    // apart: in one loop, which the compiler unrolls, it took 2 % more flash
+    predict::drift(cloth, moment.shift);
 }
 
 /// The second-order rule without links, `v̂ = (v + (v − v₋)/3 + (2/3)·gain)/(1 + (2/3)·γ·h)`, `x̂ = x + h·(4·v̂ + v + v₋)/6`.
