@@ -87,6 +87,7 @@ fn ten_seconds<V: Solver<f64> + Solver<f32> + Solver<Q24> + Solver<Q13> + Copy>(
 fn after_ten_seconds_fixed_point_is_where_f64_is() {
     ten_seconds(Xpbd, 8, [2e-6, 2e-5]);
     ten_seconds(Xpbd, 32, [1e-5, 8e-5]);
+    ten_seconds(Xpbd, 128, [8e-5, 5e-4]);
     ten_seconds(Verlet { sweeps: 8 }, 1, [1e-6, 2e-5]);
     ten_seconds(Lines::<6>::with_sweeps(1), 1, [3e-5, 4e-4]);
     ten_seconds(Lines::<6>::with_sweeps(2), 4, [1e-5, 1e-4]);

@@ -143,7 +143,8 @@ fn page(figures: &[Figure]) -> String {
         strains.join(", ")
     );
     text += "\n## What the parts of a scene add\n\nBytes of flash (Cortex-M0) and thousands of instructions of a frame of 8 substeps. What a scene \
-             doesn't name costs nothing.\n\n";
+             doesn't name costs nothing. (Less than nothing is flash that the compiler spends on unrolling a loop that is short \
+             without the part.)\n\n";
     text += &head(&["named", "number"], &["flash", PROCESSORS[0], PROCESSORS[1], PROCESSORS[2]]);
     for (name, scene, than) in PARTS {
         for number in figures.numbers() {
