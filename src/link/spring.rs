@@ -78,7 +78,10 @@ impl<S: Scalar, L: Links<S>> Links<S> for Damped<L, S> {
 
     #[inline]
     fn dampers<V: Visitor<S>>(&self, visitor: &mut V) {
-        self.links.springs(&mut WithStrength { visitor, strength: self.damping });
+        // a scene that is put together at run time may have none
+        if self.damping.dividend != S::ZERO {
+            self.links.springs(&mut WithStrength { visitor, strength: self.damping });
+        }
     }
 
     #[inline]
@@ -98,5 +101,32 @@ impl<S: Scalar, V: Visitor<S>> Visitor<S> for WithStrength<'_, V, S> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         self.visitor.family::<ACROSS, DOWN>(&Family { strength: self.strength, ..*family });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Units;
+
+    /// How many families are visited.
+    struct Count(usize);
+
+    impl<S: Scalar> Visitor<S> for Count {
+        fn family<const ACROSS: usize, const DOWN: usize>(&mut self, _: &Family<S>) {
+            self.0 += 1;
+        }
+    }
+
+    #[test]
+    fn dampers_of_no_strength_are_passed_over() {
+        let units = Units::sheet([4, 4], [0.3, 0.3], 1e-3, 1.0 / 60.0, 4);
+        for (damping, expected) in [(0.0, 0), (0.01, 2)] {
+            let links = Damped::<_, f32>::new(Stretch::new(&units, units.stiffness(50.0)), units.damping(damping));
+            let (mut springs, mut dampers) = (Count(0), Count(0));
+            links.springs(&mut springs);
+            links.dampers(&mut dampers);
+            assert_eq!((springs.0, dampers.0), (2, expected), "{damping} N·s/m");
+        }
     }
 }
