@@ -1,33 +1,35 @@
 //! The state of a sheet.
 
+use core::num::NonZeroU32;
+use core::ops::{Deref, DerefMut};
+
+use crate::fingerprint::Fingerprint;
 use crate::grid::{Grid, Node};
-use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::{Point, Units};
 use crate::vec3::Vec3;
-use crate::vectors::Vectors;
 
-/// A sheet of `W` columns and `H` rows of particles: all that changes while it moves.
+/// A sheet of `W` columns and `H` rows of particles. A sheet of one column is a chain.
 ///
-/// The units are those of [`Units`]: positions in cells, velocities in cells per tick, masses in ordinary particles. A sheet of one
-/// column is a chain.
+/// It is its [`Particles`], whose fields and methods are the cloth's: `cloth.position`, `cloth.velocity`, `cloth.inverse_mass`. Besides it knows whether they
+/// may have changed, so that a sheet [at rest](crate::rest) needs not look at each.
 ///
 /// ```
-/// use kerchief::{Cloth, Node, Point, Q24, Units};
+/// use kerchief::{Cloth, Node, Q24, Units, Vec3};
 ///
 /// const UNITS: Units = Units::sheet([16, 16], [0.3, 0.3], 1e-3, 1.0 / 60.0, 8);
 /// let mut cloth = Cloth::<Q24, 16, 16>::hang(&UNITS, UNITS.point([0.0, 0.0, 0.3]));
 /// cloth.pin(Node::new(0, 0));
 /// cloth.pin(Node::new(15, 0));
+/// cloth.velocity.set(Node::new(8, 15), Vec3::from_f64(UNITS.velocity([0.0, 0.5, 0.0]).0));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Cloth<S, const W: usize, const H: usize> {
-    /// Where the particles are, cells.
-    pub position: Vectors<S, W, H>,
-    /// How fast they move, cells per tick.
-    pub velocity: Vectors<S, W, H>,
-    /// One over a particle's mass in ordinary particles: 1 for most, ½ for one twice as heavy, 0 for a pin.
-    pub inverse_mass: Grid<S, W, H>,
+    particles: Particles<S, W, H>,
+    /// A hash of the particles; nothing where they may have changed since it was taken. Zero bits are nothing, so that [`BLANK`](Self::BLANK) is zeros alone
+    /// and takes no flash.
+    hash: Option<NonZeroU32>,
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
@@ -44,11 +46,7 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     /// sheet.hang_here(&UNITS, UNITS.point([0.0, 0.0, 0.3]));
     /// assert_eq!(*sheet, Cloth::hang(&UNITS, UNITS.point([0.0, 0.0, 0.3])));
     /// ```
-    pub const BLANK: Self = Self {
-        position: Vectors::filled(Vec3::ZERO),
-        velocity: Vectors::filled(Vec3::ZERO),
-        inverse_mass: Grid::filled(S::ZERO),
-    };
+    pub const BLANK: Self = Self { particles: Particles::BLANK, hash: None };
 
     /// A flat sheet in the x-y plane: particle (0, 0) at `origin`, columns along x, rows along y.
     pub fn lay(units: &Units, origin: Point) -> Self {
@@ -116,24 +114,44 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
         self.inverse_mass[node] = inverse_mass;
     }
 
-    /// Moves a particle within a substep: its velocity takes part, so that it stays the sum of what moved the particle. (The difference
-    /// of two positions would lose its digits.)
-    #[inline]
-    pub fn displace(&mut self, node: Node, by: Vec3<S>, moment: Moment) {
-        self.position.add(node, by);
-        self.velocity.add(node, moment.velocity(by));
+    /// Takes the particles in, but looks at them only where they may have changed since the last time.
+    pub(crate) fn fingerprint(&mut self, print: &mut Fingerprint) {
+        let hash = self.hash.map_or_else(
+            || {
+                let mut print = Fingerprint::new();
+                self.particles.fingerprint(&mut print);
+                print.hash()
+            },
+            NonZeroU32::get,
+        );
+        // one in 2³² is zero: it is taken anew each time
+        self.hash = NonZeroU32::new(hash);
+        print.word(hash);
     }
+}
 
-    /// Moves `a` by `by` and `b` against it, each times its inverse mass.
+impl<S, const W: usize, const H: usize> Deref for Cloth<S, W, H> {
+    type Target = Particles<S, W, H>;
+
     #[inline]
-    pub fn pull(&mut self, a: Node, b: Node, by: Vec3<S>, moment: Moment) {
-        self.displace(a, by * self.inverse_mass[a], moment);
-        self.displace(b, -(by * self.inverse_mass[b]), moment);
+    fn deref(&self) -> &Self::Target {
+        &self.particles
     }
+}
 
-    /// Whether a particle is pinned.
-    pub fn is_pinned(&self, node: Node) -> bool {
-        self.inverse_mass[node] == S::ZERO
+/// Whoever may write is taken to have written.
+impl<S, const W: usize, const H: usize> DerefMut for Cloth<S, W, H> {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        self.hash = None;
+        &mut self.particles
+    }
+}
+
+/// Equal are sheets of equal particles.
+impl<S: PartialEq, const W: usize, const H: usize> PartialEq for Cloth<S, W, H> {
+    fn eq(&self, other: &Self) -> bool {
+        self.particles == other.particles
     }
 }
 
@@ -173,5 +191,27 @@ mod tests {
         assert!(cloth.is_pinned(node));
         cloth.release(node, 1.0);
         assert!(!cloth.is_pinned(node));
+    }
+    #[test]
+    fn particles_are_looked_at_once_after_they_may_have_changed() {
+        fn print(cloth: &mut Cloth<f32, 4, 3>) -> Fingerprint {
+            let mut print = Fingerprint::new();
+            cloth.fingerprint(&mut print);
+            print
+        }
+        let node = Node::new(2, 1);
+        let mut cloth = Cloth::<f32, 4, 3>::lay(&UNITS, UNITS.point([0.0; 3]));
+        assert_eq!(cloth.hash, None);
+        let laid = print(&mut cloth);
+        let known = cloth.hash;
+        assert!(known.is_some() && print(&mut cloth).matches(laid));
+        assert!(!cloth.is_pinned(node) && cloth.position.values().count() == 12 && cloth.hash == known);
+        let mut copy = cloth;
+        copy.pin(node);
+        assert_eq!((copy.hash, cloth.hash), (None, known));
+        assert!(!print(&mut copy).matches(laid) && copy != cloth);
+        copy.release(node, 1.0);
+        assert!(copy == cloth && copy.hash.is_none());
+        assert!(print(&mut copy).matches(laid) && copy.hash == known);
     }
 }

@@ -7,10 +7,10 @@ mod capsule;
 mod plane;
 mod sphere;
 
-use crate::cloth::Cloth;
 use crate::fingerprint::Fingerprint;
 use crate::grid::Node;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
@@ -49,25 +49,25 @@ pub trait Collider<S: Scalar> {
 #[inline]
 pub(crate) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
     colliders: &C,
-    cloth: &mut Cloth<S, W, H>,
+    particles: &mut Particles<S, W, H>,
     moment: Moment,
 ) {
     if !C::PRESENT {
         return;
     }
     for row in 0..H {
-        let [low, high] = bounds(&cloth.position.0[row]);
+        let [low, high] = bounds(&particles.position.0[row]);
         if !colliders.reaches(moment, low, high) {
             continue;
         }
         for column in 0..W {
             let node = Node { column, row };
-            if cloth.is_pinned(node) {
+            if particles.is_pinned(node) {
                 continue;
             }
-            let moved = moment.displacement(cloth.velocity.at(node));
-            if let Some(by) = colliders.contact(moment, cloth.position.at(node), moved) {
-                cloth.displace(node, by, moment);
+            let moved = moment.displacement(particles.velocity.at(node));
+            if let Some(by) = colliders.contact(moment, particles.position.at(node), moved) {
+                particles.displace(node, by, moment);
             }
         }
     }

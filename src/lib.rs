@@ -36,6 +36,7 @@
 //! | [`units`] | cells, ticks and particle masses; the way in from SI |
 //! | [`moment`] | where in a frame a solver is |
 //! | [`fingerprint`] | whether numbers have changed |
+//! | [`particles`] | what forces, links, colliders and solvers act on |
 //! | [`cloth`] | the state of a sheet |
 //! | [`force`], [`link`], [`collider`] | what acts on it |
 //! | [`solver`] | the ways to move it |
@@ -69,6 +70,7 @@ pub mod link;
 pub mod material;
 pub mod measure;
 pub mod moment;
+pub mod particles;
 #[cfg(feature = "graphics")]
 pub mod render;
 pub mod rest;
@@ -86,6 +88,7 @@ pub use grid::{Grid, Node};
 pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
 pub use material::Material;
 pub use moment::Moment;
+pub use particles::Particles;
 pub use rest::{Resting, Stillness};
 pub use scalar::{Fixed24, Q13, Q24, Scalar};
 pub use scene::Scene;

@@ -8,9 +8,9 @@ mod order;
 mod spring;
 mod tether;
 
-use crate::cloth::Cloth;
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::{Rest, Scalar};
 use crate::units::Strength;
 
@@ -38,7 +38,7 @@ pub trait Links<S: Scalar> {
 
     /// Moves particles, once the springs are done, until what the links forbid is no more.
     #[inline]
-    fn confine<const W: usize, const H: usize>(&self, _cloth: &mut Cloth<S, W, H>, _moment: Moment) {}
+    fn confine<const W: usize, const H: usize>(&self, _particles: &mut Particles<S, W, H>, _moment: Moment) {}
 
     /// Takes all in that the links depend on, so that a sheet at rest wakes when it changes: see [`rest`](crate::rest). What is left at its default keeps
     /// sheets awake.
@@ -134,9 +134,9 @@ impl<S: Scalar, T: Links<S>> Links<S> for Option<T> {
     }
 
     #[inline]
-    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
+    fn confine<const W: usize, const H: usize>(&self, particles: &mut Particles<S, W, H>, moment: Moment) {
         if let Some(links) = self {
-            links.confine(cloth, moment);
+            links.confine(particles, moment);
         }
     }
 
@@ -177,10 +177,10 @@ macro_rules! tuple {
             }
 
             #[inline]
-            fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
+            fn confine<const W: usize, const H: usize>(&self, particles: &mut Particles<S, W, H>, moment: Moment) {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
-                $($name.confine(cloth, moment);)+
+                $($name.confine(particles, moment);)+
             }
         }
     };

@@ -1,8 +1,8 @@
 //! What can be read off a sheet: strain, energy, momentum, bounds, digest. Nothing here changes it.
 
-use crate::cloth::Cloth;
 use crate::grid::Grid;
 use crate::link::{Family, Links, Visitor, each};
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::Units;
 use crate::vec3::Vec3;
@@ -17,15 +17,18 @@ pub struct Strain<S> {
 }
 
 /// The strain of all springs of `links`. In fixed point, a stretch beyond the largest number counts as that.
-pub fn strain<S: Scalar, L: Links<S>, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, links: &L) -> Strain<S> {
-    let mut meter = Meter { cloth, largest: S::ZERO, sum: S::EMPTY, count: 0 };
+pub fn strain<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
+    particles: &Particles<S, W, H>,
+    links: &L,
+) -> Strain<S> {
+    let mut meter = Meter { particles, largest: S::ZERO, sum: S::EMPTY, count: 0 };
     links.springs(&mut meter);
     let rms = if meter.count == 0 { S::ZERO } else { S::root_mean(meter.sum, meter.count) };
     Strain { largest: meter.largest, rms }
 }
 
 struct Meter<'a, S: Scalar, const W: usize, const H: usize> {
-    cloth: &'a Cloth<S, W, H>,
+    particles: &'a Particles<S, W, H>,
     largest: S,
     sum: S::Sum,
     count: u32,
@@ -34,7 +37,7 @@ struct Meter<'a, S: Scalar, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Meter<'_, S, W, H> {
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let length = (self.cloth.position.at(b) - self.cloth.position.at(a)).length();
+            let length = (self.particles.position.at(b) - self.particles.position.at(a)).length();
             let strain = (length - family.rest.length).divide(family.rest.length).abs();
             self.largest = self.largest.max(strain);
             self.sum = S::accumulate(self.sum, strain.product(strain));
@@ -44,58 +47,62 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Meter<'_, S, W, H
 }
 
 /// The kinetic energy of the free particles, J.
-pub fn kinetic_energy<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, units: &Units) -> f64 {
+pub fn kinetic_energy<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, units: &Units) -> f64 {
     let speed = units.cell / units.tick();
-    free(cloth).map(|(mass, _, v)| 0.5 * mass * units.mass * dot(v, v) * speed * speed).sum()
+    free(particles).map(|(mass, _, v)| 0.5 * mass * units.mass * dot(v, v) * speed * speed).sum()
 }
 
 /// The potential energy of the free particles in a field of `gravity` (m/s²) against the origin, J.
 pub fn gravitational_energy<S: Scalar, const W: usize, const H: usize>(
-    cloth: &Cloth<S, W, H>,
+    particles: &Particles<S, W, H>,
     units: &Units,
     gravity: [f64; 3],
 ) -> f64 {
-    free(cloth).map(|(mass, x, _)| -mass * units.mass * dot(gravity, x) * units.cell).sum()
+    free(particles).map(|(mass, x, _)| -mass * units.mass * dot(gravity, x) * units.cell).sum()
 }
 
 /// The energy stored in springs, J.
 pub fn elastic_energy<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
-    cloth: &Cloth<S, W, H>,
+    particles: &Particles<S, W, H>,
     units: &Units,
     links: &L,
 ) -> f64 {
     struct Store<'a, S, const W: usize, const H: usize> {
-        cloth: &'a Cloth<S, W, H>,
+        particles: &'a Particles<S, W, H>,
         energy: f64,
     }
     impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Store<'_, S, W, H> {
         fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
             let strength = family.strength.dividend.to_f64() / family.strength.divisor.to_f64();
             each::<ACROSS, DOWN, W, H>(|a, b| {
-                let d = (self.cloth.position.at(b) - self.cloth.position.at(a)).to_f64();
+                let d = (self.particles.position.at(b) - self.particles.position.at(a)).to_f64();
                 let elongation = libm::sqrt(dot(d, d)) - family.rest.length.to_f64();
                 self.energy += 0.5 * strength * elongation * elongation;
             });
         }
     }
-    let mut store = Store { cloth, energy: 0.0 };
+    let mut store = Store { particles, energy: 0.0 };
     links.springs(&mut store);
     let speed = units.cell / units.substep();
     store.energy * units.mass * speed * speed
 }
 
 /// The momentum of the free particles, kg·m/s.
-pub fn momentum<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, units: &Units) -> [f64; 3] {
+pub fn momentum<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, units: &Units) -> [f64; 3] {
     let scale = units.mass * units.cell / units.tick();
-    free(cloth).fold([0.0; 3], |sum, (mass, _, v)| core::array::from_fn(|k| sum[k] + mass * v[k] * scale))
+    free(particles).fold([0.0; 3], |sum, (mass, _, v)| core::array::from_fn(|k| sum[k] + mass * v[k] * scale))
 }
 
 /// Mass, position and velocity of each free particle.
 fn free<S: Scalar, const W: usize, const H: usize>(
-    cloth: &Cloth<S, W, H>,
+    particles: &Particles<S, W, H>,
 ) -> impl Iterator<Item = (f64, [f64; 3], [f64; 3])> {
-    Grid::<S, W, H>::nodes().filter(|&node| !cloth.is_pinned(node)).map(|node| {
-        (1.0 / cloth.inverse_mass[node].to_f64(), cloth.position.at(node).to_f64(), cloth.velocity.at(node).to_f64())
+    Grid::<S, W, H>::nodes().filter(|&node| !particles.is_pinned(node)).map(|node| {
+        (
+            1.0 / particles.inverse_mass[node].to_f64(),
+            particles.position.at(node).to_f64(),
+            particles.velocity.at(node).to_f64(),
+        )
     })
 }
 
@@ -104,9 +111,9 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// The corners of the smallest upright box around a sheet, cells.
-pub fn bounds<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>) -> [Vec3<S>; 2] {
-    let first = cloth.position.0[0].at(0);
-    cloth.position.values().fold([first; 2], |[low, high], x| {
+pub fn bounds<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>) -> [Vec3<S>; 2] {
+    let first = particles.position.0[0].at(0);
+    particles.position.values().fold([first; 2], |[low, high], x| {
         [
             Vec3::new(low.x.min(x.x), low.y.min(x.y), low.z.min(x.z)),
             Vec3::new(high.x.max(x.x), high.y.max(x.y), high.z.max(x.z)),
@@ -115,17 +122,17 @@ pub fn bounds<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>)
 }
 
 /// Whether every number of the state is finite.
-pub fn is_finite<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>) -> bool {
-    let mut vectors = cloth.position.values().chain(cloth.velocity.values());
+pub fn is_finite<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>) -> bool {
+    let mut vectors = particles.position.values().chain(particles.velocity.values());
     vectors.all(|v| v.x.is_finite() && v.y.is_finite() && v.z.is_finite())
 }
 
 /// The 32-bit FNV-1a hash over the bits of the state: position and velocity of every particle, row by row, least significant byte first.
 /// Equal digests mean equal sheets, on any machine.
-pub fn digest<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>) -> u32 {
+pub fn digest<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>) -> u32 {
     let mut hash = 0x811c_9dc5_u32;
     for node in Grid::<S, W, H>::nodes() {
-        for v in [cloth.position.at(node), cloth.velocity.at(node)] {
+        for v in [particles.position.at(node), particles.velocity.at(node)] {
             for component in [v.x, v.y, v.z] {
                 component.bits(|byte| hash = (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193));
             }

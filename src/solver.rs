@@ -29,6 +29,7 @@ use crate::collider::{Collider, resolve};
 use crate::force::Force;
 use crate::link::Links;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 
 pub use backward_euler::BackwardEuler;
@@ -75,16 +76,17 @@ pub trait Solver<S: Scalar> {
         memory: &mut Self::Memory<W, H>,
         end: Moment,
     ) {
+        let particles: &mut Particles<S, W, H> = cloth;
         for substep in 1..=end.substep {
-            self.substep(physics, cloth, memory, Moment { substep, ..end });
+            self.substep(physics, particles, memory, Moment { substep, ..end });
         }
     }
 
-    /// Moves `cloth` by one substep. Cannot fail.
+    /// Moves `particles` by one substep. Cannot fail.
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         memory: &mut Self::Memory<W, H>,
         moment: Moment,
     );
@@ -94,9 +96,9 @@ pub trait Solver<S: Scalar> {
 #[inline]
 fn confine<S: Scalar, F, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
     physics: Physics<'_, F, L, C>,
-    cloth: &mut Cloth<S, W, H>,
+    particles: &mut Particles<S, W, H>,
     moment: Moment,
 ) {
-    physics.links.confine(cloth, moment);
-    resolve(physics.colliders, cloth, moment);
+    physics.links.confine(particles, moment);
+    resolve(physics.colliders, particles, moment);
 }

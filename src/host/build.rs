@@ -14,6 +14,7 @@ use crate::force::{Drag, Gravity};
 use crate::grid::Node;
 use crate::link::{Bend, Links, Shear, StrainLimited, Stretch, Tether, Visitor};
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::{Strength, Units};
 
@@ -42,9 +43,9 @@ impl<S: Scalar + Send, P: Parts<S>> Links<S> for SceneLinks<S, P> {
         self.springs.dampers(visitor);
     }
 
-    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
-        self.tether.confine(cloth, moment);
-        self.limit.confine(cloth, moment);
+    fn confine<const W: usize, const H: usize>(&self, particles: &mut Particles<S, W, H>, moment: Moment) {
+        self.tether.confine(particles, moment);
+        self.limit.confine(particles, moment);
     }
 
     fn fingerprint(&self, print: &mut Fingerprint) {

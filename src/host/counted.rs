@@ -8,7 +8,8 @@ use crate::scalar::{Rest, Scalar};
 
 /// `f32` to the last bit, but every operation is counted: what a solver costs on any machine.
 ///
-/// The counts belong to the thread. Changes of sign and conversions are not counted.
+/// The counts belong to the thread. Changes of sign and conversions are not counted; a number that a [fingerprint](crate::fingerprint) takes in is a
+/// comparison, with what it was.
 ///
 /// ```
 /// use kerchief::host::Counted;
@@ -35,7 +36,7 @@ pub struct Operations {
     pub quotients: u64,
     /// Square roots.
     pub roots: u64,
-    /// Comparisons of two numbers.
+    /// Comparisons of two numbers, or of one with what it was.
     pub comparisons: u64,
 }
 
@@ -259,6 +260,7 @@ impl Scalar for Counted {
     }
     #[inline]
     fn word(self) -> u32 {
+        Self::did(Operations::COMPARISON);
         self.0.word()
     }
     #[inline]
@@ -286,6 +288,7 @@ mod tests {
     use std::format;
 
     use super::*;
+    use crate::fingerprint::Fingerprint;
     use crate::host::{Description, Everything, ScalarKind, SolverKind};
 
     /// Everything that a scene can name.
@@ -360,6 +363,7 @@ mod tests {
         assert_eq!(counts(|| Counted::direction([a, b, c], &rest)), [3, 6, 1, 1, 1]);
         assert_eq!(counts(|| Counted::root_mean(Counted::accumulate(a, b), 4)), [1, 0, 1, 1, 0]);
         assert_eq!(counts(|| a.max(b).min(c) == c || a < b), [0, 0, 0, 0, 4]);
+        assert_eq!(counts(|| Fingerprint::new().numbers(numbers)), [0, 0, 0, 0, 3]);
         assert_eq!(counts(|| (a.abs(), -b, Counted::narrow(c), c.to_f64())), [0; 5]);
     }
 }

@@ -14,6 +14,7 @@ use crate::cloth::Cloth;
 use crate::grid::{Grid, Node};
 use crate::link::Links;
 use crate::measure::{self, digest, elastic_energy, gravitational_energy, is_finite, kinetic_energy};
+use crate::particles::Particles;
 use crate::scalar::{Q13, Q24, Scalar};
 use crate::scene::Scene;
 use crate::solver::Solver;
@@ -261,7 +262,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
     }
 
     fn restore(&mut self, state: &State) {
-        let Cloth { position, velocity, inverse_mass } = &mut *self.cloth;
+        let Particles { position, velocity, inverse_mass } = &mut **self.cloth;
         let unpinned = self.unpinned.0.as_flattened();
         for (index, inverse_mass) in inverse_mass.0.as_flattened_mut().iter_mut().enumerate() {
             *inverse_mass = if state.pinned[index] { S::ZERO } else { unpinned[index] };

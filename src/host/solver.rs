@@ -11,6 +11,7 @@ use crate::collider::Collider;
 use crate::force::Force;
 use crate::link::Links;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::rest::{self, Threshold};
 use crate::scalar::Scalar;
 use crate::solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Physics, Solver, Verlet, Xpbd};
@@ -78,21 +79,21 @@ impl<S: Scalar> Solver<S> for AnySolver {
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         memory: &mut Memory<S, W, H>,
         moment: Moment,
     ) {
         match (self, memory) {
-            (Self::Verlet(solver), _) => solver.substep(physics, cloth, &mut (), moment),
-            (Self::Xpbd(solver), _) => solver.substep(physics, cloth, &mut (), moment),
+            (Self::Verlet(solver), _) => solver.substep(physics, particles, &mut (), moment),
+            (Self::Xpbd(solver), _) => solver.substep(physics, particles, &mut (), moment),
             (Self::ForwardEuler(solver), Memory::ForwardEuler(memory)) => {
-                solver.substep(physics, cloth, memory, moment);
+                solver.substep(physics, particles, memory, moment);
             }
             (Self::BackwardEuler(solver), Memory::BackwardEuler(memory)) => {
-                solver.substep(physics, cloth, memory, moment);
+                solver.substep(physics, particles, memory, moment);
             }
-            (Self::Leapfrog(solver), Memory::Leapfrog(memory)) => solver.substep(physics, cloth, memory, moment),
-            (Self::Lines(solver), Memory::Lines(memory)) => solver.substep(physics, cloth, memory, moment),
+            (Self::Leapfrog(solver), Memory::Leapfrog(memory)) => solver.substep(physics, particles, memory, moment),
+            (Self::Lines(solver), Memory::Lines(memory)) => solver.substep(physics, particles, memory, moment),
             _ => unreachable!("a solver meets the memory it made"),
         }
     }
@@ -139,10 +140,10 @@ impl<S: Scalar> Solver<S> for SceneSolver {
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         memory: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
-        self.solver.substep(physics, cloth, memory.solver(), moment);
+        self.solver.substep(physics, particles, memory.solver(), moment);
     }
 }

@@ -1,10 +1,10 @@
 //! The limit on the deformation rate (X. Provot, *Deformation constraints in a mass-spring model to describe rigid cloth behavior*,
 //! 1995): no link longer than `1 + limit` times its rest length after a step, at pins too.
 
-use crate::cloth::Cloth;
 use crate::fingerprint::Fingerprint;
 use crate::link::{Family, Links, Visitor, each};
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 
 /// The most sweeps that a step spends on overlong links. Sweeps end as soon as there is none; one is usual, a few hundred are met
@@ -46,10 +46,10 @@ impl<S: Scalar, L: Links<S>> Links<S> for StrainLimited<L, S> {
         print.number(self.allowed);
     }
 
-    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
-        self.links.confine(cloth, moment);
+    fn confine<const W: usize, const H: usize>(&self, particles: &mut Particles<S, W, H>, moment: Moment) {
+        self.links.confine(particles, moment);
         for _ in 0..MOST_SWEEPS {
-            let mut sweep = Shorten { cloth, moment, allowed: self.allowed, found: false };
+            let mut sweep = Shorten { particles, moment, allowed: self.allowed, found: false };
             self.links.springs(&mut sweep);
             if !sweep.found {
                 break;
@@ -59,7 +59,7 @@ impl<S: Scalar, L: Links<S>> Links<S> for StrainLimited<L, S> {
 }
 
 struct Shorten<'a, S, const W: usize, const H: usize> {
-    cloth: &'a mut Cloth<S, W, H>,
+    particles: &'a mut Particles<S, W, H>,
     moment: Moment,
     allowed: S,
     found: bool,
@@ -72,18 +72,18 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Shorten<'_, S, W,
         let target = longest - longest.halve(10);
         let square = longest.product(longest);
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
+            let d = self.particles.position.at(b) - self.particles.position.at(a);
             let squared = d.squared();
             if squared <= square {
                 return;
             }
-            let inverse_mass = self.cloth.inverse_mass[a] + self.cloth.inverse_mass[b];
+            let inverse_mass = self.particles.inverse_mass[a] + self.particles.inverse_mass[b];
             if inverse_mass == S::ZERO {
                 return;
             }
             self.found = true;
             let part = (S::ONE - target.divide(S::root(squared))).divide(inverse_mass);
-            self.cloth.pull(a, b, d * part, self.moment);
+            self.particles.pull(a, b, d * part, self.moment);
         });
     }
 }

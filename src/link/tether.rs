@@ -5,11 +5,11 @@
 
 use heapless::Vec;
 
-use crate::cloth::Cloth;
 use crate::fingerprint::Fingerprint;
 use crate::grid::{Grid, Node};
 use crate::link::Links;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::Units;
 
@@ -39,25 +39,25 @@ impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
         self.anchors.iter().for_each(|anchor| print.word((anchor.row << 16 | anchor.column) as u32));
     }
 
-    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
+    fn confine<const W: usize, const H: usize>(&self, particles: &mut Particles<S, W, H>, moment: Moment) {
         for &anchor in &self.anchors {
             if anchor.column >= W || anchor.row >= H {
                 continue;
             }
-            let pin = cloth.position.at(anchor);
+            let pin = particles.position.at(anchor);
             for node in Grid::<S, W, H>::nodes() {
-                if cloth.is_pinned(node) {
+                if particles.is_pinned(node) {
                     continue;
                 }
                 let across = self.sides[0].times(node.column as i32 - anchor.column as i32);
                 let down = self.sides[1].times(node.row as i32 - anchor.row as i32);
                 let longest = across.product(across) + down.product(down);
-                let d = pin - cloth.position.at(node);
+                let d = pin - particles.position.at(node);
                 let squared = d.squared();
                 // slack: no root
                 if squared > longest {
                     let part = S::ONE - S::root(longest).divide(S::root(squared));
-                    cloth.displace(node, d * part, moment);
+                    particles.displace(node, d * part, moment);
                 }
             }
         }

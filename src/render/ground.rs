@@ -10,7 +10,7 @@ use super::light::Light;
 use super::shadow::{Cast, Field};
 use super::solid::Solids;
 use super::tone::{Shade, Toned, mix};
-use crate::cloth::Cloth;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::{Length, Point as Place};
 use crate::vec3::Vec3;
@@ -20,7 +20,7 @@ pub trait Backdrop<S: Scalar> {
     /// Prepares for this picture.
     fn prepare<O: Solids<S>, const W: usize, const H: usize>(
         &mut self,
-        cloth: &Cloth<S, W, H>,
+        particles: &Particles<S, W, H>,
         solids: &O,
         light: &Light,
     );
@@ -33,7 +33,7 @@ pub trait Backdrop<S: Scalar> {
 }
 
 impl<S: Scalar> Backdrop<S> for () {
-    fn prepare<O: Solids<S>, const W: usize, const H: usize>(&mut self, _: &Cloth<S, W, H>, _: &O, _: &Light) {}
+    fn prepare<O: Solids<S>, const W: usize, const H: usize>(&mut self, _: &Particles<S, W, H>, _: &O, _: &Light) {}
 
     fn draw<D: DrawTarget<Color: Shade>>(&self, _: &Camera<S>, _: &mut D) -> Result<(), D::Error> {
         Ok(())
@@ -41,7 +41,7 @@ impl<S: Scalar> Backdrop<S> for () {
 }
 
 impl<S: Scalar> Backdrop<S> for Rgb888 {
-    fn prepare<O: Solids<S>, const W: usize, const H: usize>(&mut self, _: &Cloth<S, W, H>, _: &O, _: &Light) {}
+    fn prepare<O: Solids<S>, const W: usize, const H: usize>(&mut self, _: &Particles<S, W, H>, _: &O, _: &Light) {}
 
     fn draw<D: DrawTarget<Color: Shade>>(&self, _: &Camera<S>, target: &mut D) -> Result<(), D::Error> {
         Toned(target).clear(*self)
@@ -113,7 +113,7 @@ impl<M> Ground<M> {
 impl<S: Scalar, M: Cast> Backdrop<S> for Ground<M> {
     fn prepare<O: Solids<S>, const W: usize, const H: usize>(
         &mut self,
-        cloth: &Cloth<S, W, H>,
+        particles: &Particles<S, W, H>,
         solids: &O,
         light: &Light,
     ) {
@@ -122,7 +122,7 @@ impl<S: Scalar, M: Cast> Backdrop<S> for Ground<M> {
             reach: S::from_f64(self.reach),
             towards: Vec3::from_f64(light.towards),
         };
-        self.shadow.cast(cloth, solids, &field);
+        self.shadow.cast(particles, solids, &field);
     }
 
     fn draw<D: DrawTarget<Color: Shade>>(&self, camera: &Camera<S>, target: &mut D) -> Result<(), D::Error> {
@@ -170,6 +170,7 @@ mod tests {
     use embedded_graphics::pixelcolor::RgbColor;
 
     use super::*;
+    use crate::cloth::Cloth;
     use crate::render::{Shadow, View};
     use crate::scalar::Q24;
     use crate::units::Units;

@@ -12,8 +12,8 @@ use super::pattern::{Pattern, Place};
 use super::solid::Solids;
 use super::surface;
 use super::tone::{Shade, Toned};
-use crate::cloth::Cloth;
 use crate::grid::{Grid, Node};
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
@@ -70,7 +70,7 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
     /// Whatever the target reports.
     pub fn draw<S: Scalar, D: DrawTarget<Color: Shade>>(
         &mut self,
-        cloth: &Cloth<S, W, H>,
+        particles: &Particles<S, W, H>,
         camera: &Camera<S>,
         target: &mut D,
     ) -> Result<(), D::Error>
@@ -79,15 +79,15 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
         G: Backdrop<S>,
     {
         let Look { light, solids, backdrop, .. } = &mut self.look;
-        backdrop.prepare(cloth, solids, light);
+        backdrop.prepare(particles, solids, light);
         backdrop.draw(camera, target)?;
-        for (seen, point) in self.seen.0.as_flattened_mut().iter_mut().zip(cloth.position.values()) {
+        for (seen, point) in self.seen.0.as_flattened_mut().iter_mut().zip(particles.position.values()) {
             *seen = Seen::new(point, camera);
         }
         let mut solid = farthest(&self.look.solids, camera, None);
         loop {
-            let count = self.collect(cloth, camera, solid);
-            self.faces(cloth, camera, count, target)?;
+            let count = self.collect(particles, camera, solid);
+            self.faces(particles, camera, count, target)?;
             let Some(index) = solid else { return Ok(()) };
             self.look.solids.draw(index, camera, &self.look.light, &mut Toned(target))?;
             solid = farthest(&self.look.solids, camera, Some(index));
@@ -95,7 +95,7 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
     }
 
     /// Orders the cells that are drawn next, just before a solid or after all of them, and counts them.
-    fn collect<S: Scalar>(&mut self, cloth: &Cloth<S, W, H>, camera: &Camera<S>, solid: Option<usize>) -> usize
+    fn collect<S: Scalar>(&mut self, particles: &Particles<S, W, H>, camera: &Camera<S>, solid: Option<usize>) -> usize
     where
         O: Solids<S>,
     {
@@ -110,7 +110,7 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
                     continue;
                 }
                 if solids.count() > 0 {
-                    let [p, q, s, t] = corners.map(|node| cloth.position.at(node).halve(2));
+                    let [p, q, s, t] = corners.map(|node| particles.position.at(node).halve(2));
                     let place = camera.place(p + q + s + t);
                     let before = |index| solids.hides(index, place, camera);
                     let due = solid.is_none_or(before)
@@ -131,7 +131,7 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
     /// Draws the first cells of the order.
     fn faces<S: Scalar, D: DrawTarget<Color: Shade>>(
         &self,
-        cloth: &Cloth<S, W, H>,
+        particles: &Particles<S, W, H>,
         camera: &Camera<S>,
         count: usize,
         target: &mut D,
@@ -146,7 +146,7 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
             let cell = Node::new(cell % W, cell / W);
             let nodes = corners(cell.column, cell.row);
             if N == 1 {
-                let corners = nodes.map(|node| (cloth.position.at(node), self.seen[node]));
+                let corners = nodes.map(|node| (particles.position.at(node), self.seen[node]));
                 easel.face(corners, &Place::middle::<W, H>(cell, [0, 0], 1), target)?;
                 continue;
             }
@@ -157,7 +157,7 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
                 // particles are seen already
                 let node =
                     (column % N == 0 && row % N == 0).then(|| Node::new(cell.column + column / N, cell.row + row / N));
-                let point = surface::point(&cloth.position, cell, part(column), part(row));
+                let point = surface::point(&particles.position, cell, part(column), part(row));
                 (point, node.map_or_else(|| Seen::new(point, camera), |node| self.seen[node]))
             };
             // the corners in a row: those at the start of each face, and the last one

@@ -12,8 +12,8 @@ use super::camera::Spot;
 use super::fill;
 use super::solid::Solids;
 use super::tone::mix;
-use crate::cloth::Cloth;
 use crate::grid::Node;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
@@ -33,7 +33,7 @@ pub trait Cast {
     /// Computes the shadow of a sheet and of solids.
     fn cast<S: Scalar, O: Solids<S>, const W: usize, const H: usize>(
         &mut self,
-        cloth: &Cloth<S, W, H>,
+        particles: &Particles<S, W, H>,
         solids: &O,
         field: &Field<S>,
     );
@@ -45,7 +45,7 @@ pub trait Cast {
 impl Cast for () {
     fn cast<S: Scalar, O: Solids<S>, const W: usize, const H: usize>(
         &mut self,
-        _: &Cloth<S, W, H>,
+        _: &Particles<S, W, H>,
         _: &O,
         _: &Field<S>,
     ) {
@@ -117,7 +117,7 @@ fn blur<'a>(line: impl Iterator<Item = &'a mut u8>) {
 impl<const N: usize> Cast for Shadow<N> {
     fn cast<S: Scalar, O: Solids<S>, const W: usize, const H: usize>(
         &mut self,
-        cloth: &Cloth<S, W, H>,
+        particles: &Particles<S, W, H>,
         solids: &O,
         field: &Field<S>,
     ) {
@@ -130,7 +130,7 @@ impl<const N: usize> Cast for Shadow<N> {
             Vec3::new(field.towards.x.divide(field.towards.z), field.towards.y.divide(field.towards.z), S::ZERO);
         let half = 128 * N as i32;
         let spot = |column, row| {
-            let offset = (cloth.position.at(Node::new(column, row)) - field.centre) * scale;
+            let offset = (particles.position.at(Node::new(column, row)) - field.centre) * scale;
             let fallen = offset - slope * offset.z.max(S::ZERO);
             Spot { x: fallen.x.round_times(half) + half, y: fallen.y.round_times(half) + half }
         };
@@ -210,6 +210,7 @@ impl<const N: usize> DrawTarget for Map<'_, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cloth::Cloth;
     use crate::render::{Ball, Rod};
     use crate::scalar::Q24;
     use crate::units::{Length, Point as Spot, Units};

@@ -8,8 +8,8 @@ use embedded_graphics::primitives::{Line, Primitive, PrimitiveStyle, Styled, Sty
 
 use super::camera::Camera;
 use super::tone::Shade;
-use crate::cloth::Cloth;
 use crate::grid::Node;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
@@ -34,7 +34,7 @@ use crate::vec3::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Wireframe<'a, S, const W: usize, const H: usize> {
-    cloth: &'a Cloth<S, W, H>,
+    particles: &'a Particles<S, W, H>,
     camera: &'a Camera<S>,
     links: &'a [(i32, i32)],
 }
@@ -50,8 +50,8 @@ const DIMMEST: i32 = 128;
 
 impl<'a, S: Scalar, const W: usize, const H: usize> Wireframe<'a, S, W, H> {
     /// The columns and rows of a sheet.
-    pub const fn new(cloth: &'a Cloth<S, W, H>, camera: &'a Camera<S>) -> Self {
-        Self { cloth, camera, links: STRETCH }
+    pub const fn new(particles: &'a Particles<S, W, H>, camera: &'a Camera<S>) -> Self {
+        Self { particles, camera, links: STRETCH }
     }
 
     /// Draws these links instead: offsets (columns, rows) from each particle to another, none of them (0, 0).
@@ -91,10 +91,10 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Wireframe<'a, S, W, H> {
             }
             for start in crate::grid::Grid::<S, W, H>::nodes().filter(|&node| step(node, -1).is_none()) {
                 // a walk along the links computes each particle's place once
-                let mut last = self.camera.place(self.cloth.position.at(start));
+                let mut last = self.camera.place(self.particles.position.at(start));
                 let mut node = start;
                 while let Some(next) = step(node, 1) {
-                    let place = self.camera.place(self.cloth.position.at(next));
+                    let place = self.camera.place(self.particles.position.at(next));
                     if let Some(line) = self.line(last, place) {
                         draw(line, (last.z + place.z).halve(1))?;
                     }
@@ -138,6 +138,7 @@ mod tests {
     use embedded_graphics::primitives::Rectangle;
 
     use super::*;
+    use crate::cloth::Cloth;
     use crate::render::View;
     use crate::scalar::Q24;
     use crate::units::{Length, Point as Place, Units};

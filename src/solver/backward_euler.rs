@@ -11,12 +11,12 @@
 //!
 //! positive definite because a compressed link's sideways stiffness, which is negative, is left out. That changes the way to the root, not the root.
 
-use crate::cloth::Cloth;
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::{Node, each_node};
 use crate::link::{Family, Links, Visitor, each};
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, predict};
 use crate::vec3::Vec3;
@@ -62,7 +62,7 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         memory: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
@@ -71,7 +71,7 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
         let slowed = inertia.recip();
         predict::predict(
             physics.forces,
-            cloth,
+            particles,
             |velocity, gain| {
                 if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
             },
@@ -80,15 +80,15 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
         let system = System { inertia, scale: scale(physics.links) };
         memory.correction = Vectors::filled(Vec3::ZERO);
         for _ in 0..self.newton_steps {
-            system.residual(physics.links, cloth, memory, shift);
-            system.conjugate_gradients(physics.links, cloth, memory);
+            system.residual(physics.links, particles, memory, shift);
+            system.conjugate_gradients(physics.links, particles, memory);
             each_node::<W, H>(|node| {
                 let step = memory.step.at(node);
                 memory.correction.add(node, step);
-                cloth.displace(node, step, moment);
+                particles.displace(node, step, moment);
             });
         }
-        confine(physics, cloth, moment);
+        confine(physics, particles, moment);
     }
 }
 
@@ -100,8 +100,8 @@ struct System<S> {
 }
 
 impl<S: Scalar> System<S> {
-    fn mass<const W: usize, const H: usize>(&self, cloth: &Cloth<S, W, H>, node: Node) -> S {
-        (self.scale * self.inertia).divide(cloth.inverse_mass[node])
+    fn mass<const W: usize, const H: usize>(&self, particles: &Particles<S, W, H>, node: Node) -> S {
+        (self.scale * self.inertia).divide(particles.inverse_mass[node])
     }
 
     /// κ over the largest κ.
@@ -117,48 +117,52 @@ impl<S: Scalar> System<S> {
     fn residual<L: Links<S>, const W: usize, const H: usize>(
         &self,
         links: &L,
-        cloth: &Cloth<S, W, H>,
+        particles: &Particles<S, W, H>,
         memory: &mut Memory<S, W, H>,
         shift: u32,
     ) {
         each_node::<W, H>(|node| {
             memory.residual.set(
                 node,
-                if cloth.is_pinned(node) { Vec3::ZERO } else { -(memory.correction.at(node) * self.mass(cloth, node)) },
+                if particles.is_pinned(node) {
+                    Vec3::ZERO
+                } else {
+                    -(memory.correction.at(node) * self.mass(particles, node))
+                },
             );
         });
-        links.springs(&mut Pull { system: self, cloth, residual: &mut memory.residual });
+        links.springs(&mut Pull { system: self, particles, residual: &mut memory.residual });
         if L::DAMPED {
-            links.dampers(&mut Brake { system: self, cloth, residual: &mut memory.residual, shift });
+            links.dampers(&mut Brake { system: self, particles, residual: &mut memory.residual, shift });
         }
-        clear_pins(cloth, &mut memory.residual);
+        clear_pins(particles, &mut memory.residual);
     }
 
     fn multiply<L: Links<S>, const W: usize, const H: usize>(
         &self,
         links: &L,
-        cloth: &Cloth<S, W, H>,
+        particles: &Particles<S, W, H>,
         direction: &Vectors<S, W, H>,
         product: &mut Vectors<S, W, H>,
     ) {
         each_node::<W, H>(|node| {
             product.set(
                 node,
-                if cloth.is_pinned(node) { Vec3::ZERO } else { direction.at(node) * self.mass(cloth, node) },
+                if particles.is_pinned(node) { Vec3::ZERO } else { direction.at(node) * self.mass(particles, node) },
             );
         });
-        links.springs(&mut Stiffness { system: self, cloth, direction, product });
+        links.springs(&mut Stiffness { system: self, particles, direction, product });
         if L::DAMPED {
             links.dampers(&mut Viscosity { system: self, direction, product });
         }
-        clear_pins(cloth, product);
+        clear_pins(particles, product);
     }
 
     /// Solves for `memory.step` (M. Hestenes, E. Stiefel, 1952).
     fn conjugate_gradients<L: Links<S>, const W: usize, const H: usize>(
         &self,
         links: &L,
-        cloth: &Cloth<S, W, H>,
+        particles: &Particles<S, W, H>,
         memory: &mut Memory<S, W, H>,
     ) {
         let Memory { step, residual, direction, product, .. } = memory;
@@ -169,7 +173,7 @@ impl<S: Scalar> System<S> {
         let floor = round_off::<S, W, H>();
         let (mut squared, mut best, mut age) = (start, start, 0);
         for _ in 0..MOST_CONJUGATE_STEPS {
-            self.multiply(links, cloth, direction, product);
+            self.multiply(links, particles, direction, product);
             let curvature = dot(direction, product);
             if curvature <= S::EMPTY {
                 break;
@@ -206,9 +210,12 @@ fn round_off<S: Scalar, const W: usize, const H: usize>() -> S::Sum {
     (0..3 * W * H).fold(S::EMPTY, |sum, _| S::accumulate(sum, place.product(place)))
 }
 
-fn clear_pins<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, vector: &mut Vectors<S, W, H>) {
+fn clear_pins<S: Scalar, const W: usize, const H: usize>(
+    particles: &Particles<S, W, H>,
+    vector: &mut Vectors<S, W, H>,
+) {
     each_node::<W, H>(|node| {
-        if cloth.is_pinned(node) {
+        if particles.is_pinned(node) {
             vector.set(node, Vec3::ZERO);
         }
     });
@@ -230,7 +237,7 @@ fn scale<S: Scalar, L: Links<S>>(links: &L) -> S {
 /// Adds spring forces.
 struct Pull<'a, S, const W: usize, const H: usize> {
     system: &'a System<S>,
-    cloth: &'a Cloth<S, W, H>,
+    particles: &'a Particles<S, W, H>,
     residual: &'a mut Vectors<S, W, H>,
 }
 
@@ -238,7 +245,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Pull<'_, S, W, H>
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let stiffness = self.system.stiffness(family);
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
+            let d = self.particles.position.at(b) - self.particles.position.at(a);
             let pull = d * (S::elongation(d.squared(), &family.rest) * stiffness);
             self.residual.add(a, pull);
             self.residual.add(b, -pull);
@@ -249,7 +256,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Pull<'_, S, W, H>
 /// Adds damper forces.
 struct Brake<'a, S, const W: usize, const H: usize> {
     system: &'a System<S>,
-    cloth: &'a Cloth<S, W, H>,
+    particles: &'a Particles<S, W, H>,
     residual: &'a mut Vectors<S, W, H>,
     shift: u32,
 }
@@ -258,7 +265,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let damping = self.system.stiffness(family);
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let pull = (self.cloth.velocity.at(b) - self.cloth.velocity.at(a)).halve(self.shift) * damping;
+            let pull = (self.particles.velocity.at(b) - self.particles.velocity.at(a)).halve(self.shift) * damping;
             self.residual.add(a, pull);
             self.residual.add(b, -pull);
         });
@@ -268,7 +275,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H
 /// Multiplies by the springs' stiffness.
 struct Stiffness<'a, S, const W: usize, const H: usize> {
     system: &'a System<S>,
-    cloth: &'a Cloth<S, W, H>,
+    particles: &'a Particles<S, W, H>,
     direction: &'a Vectors<S, W, H>,
     product: &'a mut Vectors<S, W, H>,
 }
@@ -278,7 +285,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Stiffness<'_, S, 
         let stiffness = self.system.stiffness(family);
         let inverse_length = family.rest.inverse;
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
+            let d = self.particles.position.at(b) - self.particles.position.at(a);
             let elongation = S::elongation(d.squared(), &family.rest);
             let normal = d * ((S::ONE - elongation) * inverse_length);
             let sideways = elongation.max(S::ZERO);

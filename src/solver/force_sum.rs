@@ -1,9 +1,9 @@
 //! The sum of all forces at the sheet's present positions and velocities, for the explicit solvers.
 
-use crate::cloth::Cloth;
 use crate::force::Force;
 use crate::grid::{Grid, Node};
 use crate::link::{Family, Links, Visitor, each};
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::predict::field;
 use crate::vec3::Vec3;
@@ -13,7 +13,7 @@ use crate::vectors::Vectors;
 pub(super) fn gains<S: Scalar, F: Force<S>, L: Links<S>, const W: usize, const H: usize>(
     forces: &F,
     links: &L,
-    cloth: &Cloth<S, W, H>,
+    particles: &Particles<S, W, H>,
     shift: u32,
     gain: &mut Vectors<S, W, H>,
 ) {
@@ -21,24 +21,24 @@ pub(super) fn gains<S: Scalar, F: Force<S>, L: Links<S>, const W: usize, const H
     if F::FIELD {
         let mut row_gain = Vec3::row(Vec3::ZERO);
         for row in 0..H {
-            let below = field(forces, cloth, row, &mut row_gain);
+            let below = field(forces, particles, row, &mut row_gain);
             gain.0[row] = row_gain;
             row_gain = below;
         }
     }
-    links.springs(&mut Springs { cloth, gain, shift });
+    links.springs(&mut Springs { particles, gain, shift });
     if L::DAMPED {
-        links.dampers(&mut Dampers { cloth, gain });
+        links.dampers(&mut Dampers { particles, gain });
     }
     let uniform = forces.uniform();
     for node in Grid::<S, W, H>::nodes() {
-        let inverse_mass = cloth.inverse_mass[node];
+        let inverse_mass = particles.inverse_mass[node];
         gain.set(node, if inverse_mass == S::ZERO { Vec3::ZERO } else { gain.at(node) * inverse_mass + uniform });
     }
 }
 
 struct Springs<'a, S, const W: usize, const H: usize> {
-    cloth: &'a Cloth<S, W, H>,
+    particles: &'a Particles<S, W, H>,
     gain: &'a mut Vectors<S, W, H>,
     shift: u32,
 }
@@ -48,7 +48,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Springs<'_, S, W,
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let stiffness = family.strength.value();
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
+            let d = self.particles.position.at(b) - self.particles.position.at(a);
             let pull = d * (S::elongation(d.squared(), &family.rest) * stiffness);
             exchange(self.gain, a, b, pull.double(self.shift));
         });
@@ -56,7 +56,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Springs<'_, S, W,
 }
 
 struct Dampers<'a, S, const W: usize, const H: usize> {
-    cloth: &'a Cloth<S, W, H>,
+    particles: &'a Particles<S, W, H>,
     gain: &'a mut Vectors<S, W, H>,
 }
 
@@ -65,7 +65,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Dampers<'_, S, W,
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let damping = family.strength.value();
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            exchange(self.gain, a, b, (self.cloth.velocity.at(b) - self.cloth.velocity.at(a)) * damping);
+            exchange(self.gain, a, b, (self.particles.velocity.at(b) - self.particles.velocity.at(a)) * damping);
         });
     }
 }

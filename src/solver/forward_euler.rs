@@ -1,11 +1,11 @@
 //! Forward Euler: `x' = x + h·v`, `v' = v + h·a(x, v)` (thesis, chapter 4).
 
-use crate::cloth::Cloth;
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::Grid;
 use crate::link::Links;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, force_sum, predict};
 use crate::vec3::Vec3;
@@ -29,19 +29,21 @@ impl<S: Scalar> Solver<S> for ForwardEuler {
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         gain: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
-        force_sum::gains(physics.forces, physics.links, cloth, moment.shift, gain);
-        predict::drift(cloth, moment.shift);
+        force_sum::gains(physics.forces, physics.links, particles, moment.shift, gain);
+        predict::drift(particles, moment.shift);
         let rate = physics.forces.drag().rate;
         for node in Grid::<S, W, H>::nodes() {
-            if !cloth.is_pinned(node) {
-                let velocity = cloth.velocity.at(node);
-                cloth.velocity.set(node, if F::DRAG { velocity - velocity * rate } else { velocity } + gain.at(node));
+            if !particles.is_pinned(node) {
+                let velocity = particles.velocity.at(node);
+                particles
+                    .velocity
+                    .set(node, if F::DRAG { velocity - velocity * rate } else { velocity } + gain.at(node));
             }
         }
-        confine(physics, cloth, moment);
+        confine(physics, particles, moment);
     }
 }

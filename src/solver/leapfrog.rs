@@ -1,11 +1,11 @@
 //! Leapfrog in its drift–kick–drift form: `x½ = x + h/2·v`, `v' = v + h·a(x½)`, `x' = x½ + h/2·v'`.
 
-use crate::cloth::Cloth;
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::Grid;
 use crate::link::Links;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, force_sum, predict};
 use crate::vec3::Vec3;
@@ -36,36 +36,36 @@ impl<S: Scalar> Solver<S> for Leapfrog {
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         memory: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
         let Memory { gain, start } = memory;
         let shift = moment.shift;
-        predict::drift(cloth, shift + 1);
-        force_sum::gains(physics.forces, physics.links, cloth, shift, gain);
+        predict::drift(particles, shift + 1);
+        force_sum::gains(physics.forces, physics.links, particles, shift, gain);
         let drag = physics.forces.drag();
         if F::FOLLOWS_VELOCITY || L::DAMPED {
-            *start = cloth.velocity;
+            *start = particles.velocity;
             for node in Grid::<S, W, H>::nodes() {
-                if !cloth.is_pinned(node) {
+                if !particles.is_pinned(node) {
                     let change = if F::DRAG { gain.at(node) - start.at(node) * drag.rate } else { gain.at(node) };
-                    cloth.velocity.add(node, change.halve(1));
+                    particles.velocity.add(node, change.halve(1));
                 }
             }
-            force_sum::gains(physics.forces, physics.links, cloth, shift, gain);
-            cloth.velocity = *start;
+            force_sum::gains(physics.forces, physics.links, particles, shift, gain);
+            particles.velocity = *start;
         }
         for node in Grid::<S, W, H>::nodes() {
-            if !cloth.is_pinned(node) {
-                let velocity = cloth.velocity.at(node);
-                cloth.velocity.set(
+            if !particles.is_pinned(node) {
+                let velocity = particles.velocity.at(node);
+                particles.velocity.set(
                     node,
                     if F::DRAG { velocity * drag.decay + gain.at(node) * drag.gain } else { velocity + gain.at(node) },
                 );
             }
         }
-        predict::drift(cloth, shift + 1);
-        confine(physics, cloth, moment);
+        predict::drift(particles, shift + 1);
+        confine(physics, particles, moment);
     }
 }

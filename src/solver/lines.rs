@@ -22,12 +22,12 @@ mod pairs;
 mod predict;
 mod relax;
 
-use crate::cloth::Cloth;
 use crate::collider::{Collider, resolve};
 use crate::force::Force;
 use crate::grid::Grid;
 use crate::link::Links;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine};
 use crate::vec3::Vec3;
@@ -131,15 +131,15 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         memory: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
         let first_order = memory.history == History::Rough;
         if first_order {
-            predict::first_order(physics.forces, cloth, memory, moment);
+            predict::first_order(physics.forces, particles, memory, moment);
         } else {
-            predict::second_order(physics.forces, cloth, memory, moment);
+            predict::second_order(physics.forces, particles, memory, moment);
         }
         // the rule in time: x' depends on v' by part·h, and v' on a' by part·h/(1 + part·γ·h)
         let (moment, part) = if first_order || memory.history == History::None {
@@ -149,13 +149,13 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         };
         let response = part.divide(S::ONE + part * physics.forces.drag().rate);
         let softness = part * response;
-        let damp = |cloth: &mut Cloth<S, W, H>, start: &Vectors<S, W, H>, act: Act| {
+        let damp = |particles: &mut Particles<S, W, H>, start: &Vectors<S, W, H>, act: Act| {
             if L::DAMPED {
-                physics.links.dampers(&mut Damp { cloth, start, moment, part, response, act });
+                physics.links.dampers(&mut Damp { particles, start, moment, part, response, act });
             }
         };
-        damp(cloth, &memory.earlier, Act::First);
-        let mut relax = Relax::new(cloth, &mut memory.tension, moment, softness);
+        damp(particles, &memory.earlier, Act::First);
+        let mut relax = Relax::new(particles, &mut memory.tension, moment, softness);
         if memory.history == History::Full {
             relax.start(physics.links);
         } else {
@@ -166,18 +166,18 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         let (mut sweeps, least) = (1, self.sweeps.max(memory.flicker.kept()));
         while sweeps < self.most_sweeps && (sweeps < least || met > tolerance) {
             // between the sweeps, so that links answer to what a collider does to them
-            resolve(physics.colliders, relax.cloth, moment);
+            resolve(physics.colliders, relax.particles, moment);
             (before, met) = (met, relax.sweep(physics.links, false));
             sweeps += 1;
         }
         // the last sweep but one has met rows within a quarter of the tolerance
         memory.flicker.learn(sweeps, self.sweeps, before < tolerance.halve(2));
-        if memory.flicker.kept() > 0 && !is_calm(cloth, moment) {
+        if memory.flicker.kept() > 0 && !is_calm(particles, moment) {
             memory.flicker.release();
         }
         let rough = met > S::from_f64(ROUGH);
-        damp(cloth, &memory.earlier, Act::Second);
-        confine(physics, cloth, moment);
+        damp(particles, &memory.earlier, Act::Second);
+        confine(physics, particles, moment);
         memory.history = match (rough, first_order) {
             (true, _) => History::Rough,
             (false, true) => History::Velocity,
@@ -188,11 +188,11 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
 
 /// Whether no particle moves by more than a part of a cell in a substep. In motion one of the first does.
 #[inline(never)] // few substeps ask
-fn is_calm<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, moment: Moment) -> bool {
+fn is_calm<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, moment: Moment) -> bool {
     // fixed point holds no larger speeds than those of 512 substeps
     let most = S::from_f64(CALM).double(moment.shift.min(9));
     let calm = |speeds: &[S; W]| speeds.iter().fold(S::ZERO, |most, speed| most.max(speed.abs())) < most;
-    cloth.velocity.0.iter().all(|row| calm(&row.x) && calm(&row.y) && calm(&row.z))
+    particles.velocity.0.iter().all(|row| calm(&row.x) && calm(&row.y) && calm(&row.z))
 }
 
 /// Moves a particle by a link.
@@ -211,12 +211,12 @@ fn displace<S: Scalar, const W: usize>(
 /// Moves a row.
 #[inline(always)]
 fn displace_row<S: Scalar, const W: usize, const H: usize>(
-    cloth: &mut Cloth<S, W, H>,
+    particles: &mut Particles<S, W, H>,
     row: usize,
     by: impl Fn(usize) -> Vec3<S>,
     moment: Moment,
 ) {
-    let (position, velocity) = (&mut cloth.position.0[row], &mut cloth.velocity.0[row]);
+    let (position, velocity) = (&mut particles.position.0[row], &mut particles.velocity.0[row]);
     for column in 0..W {
         displace(position, velocity, column, by(column), moment);
     }

@@ -1,6 +1,6 @@
 //! Where all particles have mass 1, products with their masses are skipped; rows of nothing but pins are skipped as a whole.
 
-use crate::cloth::Cloth;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 
 /// The rows and columns of nothing but particles of mass 1, and the rows of nothing but pins.
@@ -12,16 +12,16 @@ pub(super) struct Ordinary<const W: usize, const H: usize> {
 }
 
 /// The rows of nothing but particles of mass 1.
-pub(super) fn rows<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>) -> [bool; H] {
-    core::array::from_fn(|row| cloth.inverse_mass.0[row].iter().all(|&w| w == S::ONE))
+pub(super) fn rows<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>) -> [bool; H] {
+    core::array::from_fn(|row| particles.inverse_mass.0[row].iter().all(|&w| w == S::ONE))
 }
 
 impl<const W: usize, const H: usize> Ordinary<W, H> {
-    pub(super) fn new<S: Scalar>(cloth: &Cloth<S, W, H>) -> Self {
-        let masses = &cloth.inverse_mass.0;
+    pub(super) fn new<S: Scalar>(particles: &Particles<S, W, H>) -> Self {
+        let masses = &particles.inverse_mass.0;
         Self {
             held: core::array::from_fn(|row| masses[row].iter().all(|&w| w == S::ZERO)),
-            rows: rows(cloth),
+            rows: rows(particles),
             columns: core::array::from_fn(|column| (0..H).all(|row| masses[row][column] == S::ONE)),
         }
     }

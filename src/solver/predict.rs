@@ -1,9 +1,9 @@
 //! Where particles would go if nothing held them together: the first half of the constraint solvers.
 
-use crate::cloth::Cloth;
 use crate::force::{Force, Row};
 use crate::grid::{Grid, Node};
 use crate::link::{Family, Links, Visitor, each};
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
@@ -14,18 +14,18 @@ use crate::vec3::Vec3;
 #[inline]
 pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     forces: &F,
-    cloth: &mut Cloth<S, W, H>,
+    particles: &mut Particles<S, W, H>,
     next: impl Fn(Vec3<S>, Vec3<S>) -> Vec3<S>,
     go: impl Fn(Vec3<S>, Vec3<S>) -> [Vec3<S>; 2],
 ) {
     let uniform = forces.uniform();
     let mut gain = Vec3::row(Vec3::ZERO);
     for row in 0..H {
-        let below = field(forces, cloth, row, &mut gain);
+        let below = field(forces, particles, row, &mut gain);
         for column in 0..W {
             let node = Node { column, row };
-            let inverse_mass = cloth.inverse_mass[node];
-            let mut velocity = cloth.velocity.at(node);
+            let inverse_mass = particles.inverse_mass[node];
+            let mut velocity = particles.velocity.at(node);
             if inverse_mass != S::ZERO {
                 let own = |gain: Vec3<S>| {
                     // exact in fixed point, where looking costs less than three products
@@ -34,9 +34,9 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
                 let gain = if F::FIELD { own(gain.at(column)) + uniform } else { uniform };
                 velocity = next(velocity, gain);
             }
-            let [position, velocity] = go(cloth.position.at(node), velocity);
-            cloth.position.set(node, position);
-            cloth.velocity.set(node, velocity);
+            let [position, velocity] = go(particles.position.at(node), velocity);
+            particles.position.set(node, position);
+            particles.velocity.set(node, velocity);
         }
         gain = below;
     }
@@ -46,16 +46,16 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
 #[inline]
 pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     forces: &F,
-    cloth: &Cloth<S, W, H>,
+    particles: &Particles<S, W, H>,
     row: usize,
     gain: &mut Vec3<[S; W]>,
 ) -> Vec3<[S; W]> {
     let mut below = Vec3::row(Vec3::ZERO);
     if F::FIELD {
-        let particles = |row: usize| Row { position: &cloth.position.0[row], velocity: &cloth.velocity.0[row] };
-        forces.particles(particles(row), gain);
+        let at = |row: usize| Row { position: &particles.position.0[row], velocity: &particles.velocity.0[row] };
+        forces.particles(at(row), gain);
         if row + 1 < H {
-            forces.cells([particles(row), particles(row + 1)], [gain, &mut below]);
+            forces.cells([at(row), at(row + 1)], [gain, &mut below]);
         }
     }
     below
@@ -63,32 +63,35 @@ pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
 
 /// Moves every particle with its velocity for `1/2^shift` of a tick.
 #[inline]
-pub(super) fn drift<S: Scalar, const W: usize, const H: usize>(cloth: &mut Cloth<S, W, H>, shift: u32) {
+pub(super) fn drift<S: Scalar, const W: usize, const H: usize>(particles: &mut Particles<S, W, H>, shift: u32) {
     for node in Grid::<S, W, H>::nodes() {
-        cloth.position.add(node, cloth.velocity.at(node).halve(shift));
+        particles.position.add(node, particles.velocity.at(node).halve(shift));
     }
 }
 
 /// Lets dampers act on velocities, one after the other and implicitly, so that no strength overshoots.
 #[inline]
-pub(super) fn damp<S: Scalar, L: Links<S>, const W: usize, const H: usize>(links: &L, cloth: &mut Cloth<S, W, H>) {
+pub(super) fn damp<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
+    links: &L,
+    particles: &mut Particles<S, W, H>,
+) {
     if L::DAMPED {
-        links.dampers(&mut Damp { cloth });
+        links.dampers(&mut Damp { particles });
     }
 }
 
 struct Damp<'a, S, const W: usize, const H: usize> {
-    cloth: &'a mut Cloth<S, W, H>,
+    particles: &'a mut Particles<S, W, H>,
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Damp<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let (wa, wb) = (self.cloth.inverse_mass[a], self.cloth.inverse_mass[b]);
-            let by = (self.cloth.velocity.at(b) - self.cloth.velocity.at(a)) * family.strength.against(wa + wb);
-            self.cloth.velocity.add(a, by * wa);
-            self.cloth.velocity.add(b, -(by * wb));
+            let (wa, wb) = (self.particles.inverse_mass[a], self.particles.inverse_mass[b]);
+            let by = (self.particles.velocity.at(b) - self.particles.velocity.at(a)) * family.strength.against(wa + wb);
+            self.particles.velocity.add(a, by * wa);
+            self.particles.velocity.add(b, -(by * wb));
         });
     }
 }

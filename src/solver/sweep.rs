@@ -3,10 +3,10 @@
 //! With κ = k·h²/m this is the step of XPBD from a multiplier of zero (M. Macklin, M. Müller, N. Chentanez, *XPBD: position-based
 //! simulation of compliant constrained dynamics*, 2016, equation 18 with α̃ = 1/κ).
 
-use crate::cloth::Cloth;
 use crate::grid::Node;
 use crate::link::{Family, Links, Quotient, Visitor, each_row, in_row};
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::{Rest, Rounding, Scalar};
 use crate::solver::ordinary;
 use crate::vec3::Vec3;
@@ -27,19 +27,19 @@ pub(super) fn go<S: Scalar, L: Links<S>>(moment: Moment) -> impl Fn(Vec3<S>, Vec
 #[inline]
 pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     links: &L,
-    cloth: &mut Cloth<S, W, H>,
+    particles: &mut Particles<S, W, H>,
     moment: Moment,
     parts: u32,
 ) {
     if !L::SPRINGS {
         return;
     }
-    let ordinary = ordinary::rows(cloth);
+    let ordinary = ordinary::rows(particles);
     for _ in 0..parts {
-        links.springs(&mut Project { cloth, moment, rounding: moment.rounding(), parts, ordinary });
+        links.springs(&mut Project { particles, moment, rounding: moment.rounding(), parts, ordinary });
     }
     if !S::FLOATS {
-        for (position, velocity) in cloth.position.0.iter().zip(&mut cloth.velocity.0) {
+        for (position, velocity) in particles.position.0.iter().zip(&mut particles.velocity.0) {
             for column in 0..W {
                 velocity.set(column, velocity.at(column) + moment.velocity(position.at(column)));
             }
@@ -48,7 +48,7 @@ pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
 }
 
 struct Project<'a, S, const W: usize, const H: usize> {
-    cloth: &'a mut Cloth<S, W, H>,
+    particles: &'a mut Particles<S, W, H>,
     moment: Moment,
     rounding: Rounding,
     parts: u32,
@@ -60,7 +60,7 @@ impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
     /// Projects a link between particles of mass 1.
     #[inline(always)]
     fn join(&mut self, a: Node, b: Node, rest: &Rest<S>, part: S) {
-        let by = (self.cloth.position.at(b) - self.cloth.position.at(a)).correction(rest, part, self.rounding);
+        let by = (self.particles.position.at(b) - self.particles.position.at(a)).correction(rest, part, self.rounding);
         self.displace(a, by);
         self.displace(b, -by);
     }
@@ -68,11 +68,11 @@ impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
     /// Projects a link between particles of any mass.
     #[inline(always)]
     fn join_any(&mut self, a: Node, b: Node, rest: &Rest<S>, strength: Quotient<S>, part: S) {
-        let [wa, wb] = [a, b].map(|node| self.cloth.inverse_mass[node]);
+        let [wa, wb] = [a, b].map(|node| self.particles.inverse_mass[node]);
         if wa == S::ONE && wb == S::ONE {
             self.join(a, b, rest, part);
         } else if wa + wb != S::ZERO {
-            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
+            let d = self.particles.position.at(b) - self.particles.position.at(a);
             let part = strength.against(wa + wb);
             if !S::FLOATS && part > S::ONE {
                 // between heavy particles: times their inverse masses it is a part again, which fixed point needs
@@ -89,9 +89,9 @@ impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
     #[inline(always)]
     fn displace(&mut self, node: Node, by: Vec3<S>) {
         if S::FLOATS {
-            self.cloth.displace(node, by, self.moment);
+            self.particles.displace(node, by, self.moment);
         } else {
-            self.cloth.position.add(node, by);
+            self.particles.position.add(node, by);
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Position Verlet with repeated relaxation (thesis, chapter 5; T. Jakobsen, *Advanced character physics*, 2001).
 
-use crate::cloth::Cloth;
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::link::Links;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, predict, sweep};
 use crate::vec3::Vec3;
@@ -29,17 +29,17 @@ impl<S: Scalar> Solver<S> for Verlet {
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         (): &mut (),
         moment: Moment,
     ) {
         let decay = physics.forces.drag().decay;
-        predict::damp(physics.links, cloth);
+        predict::damp(physics.links, particles);
         let next = |velocity: Vec3<S>, gain: Vec3<S>| {
             if F::DRAG { velocity * decay + gain } else { velocity + gain }
         };
-        predict::predict(physics.forces, cloth, next, sweep::go::<S, L>(moment));
-        sweep::sweeps(physics.links, cloth, moment, self.sweeps);
-        confine(physics, cloth, moment);
+        predict::predict(physics.forces, particles, next, sweep::go::<S, L>(moment));
+        sweep::sweeps(physics.links, particles, moment, self.sweeps);
+        confine(physics, particles, moment);
     }
 }

@@ -1,10 +1,10 @@
 //! XPBD with one sweep in each of many substeps (M. Macklin and others, *Small steps in physics simulation*, 2019).
 
-use crate::cloth::Cloth;
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::link::Links;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, confine, predict, sweep};
 use crate::vec3::Vec3;
@@ -24,17 +24,17 @@ impl<S: Scalar> Solver<S> for Xpbd {
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         (): &mut (),
         moment: Moment,
     ) {
         let drag = physics.forces.drag();
-        predict::damp(physics.links, cloth);
+        predict::damp(physics.links, particles);
         let next = |velocity: Vec3<S>, gain: Vec3<S>| {
             if F::DRAG { velocity * drag.decay + gain * drag.gain } else { velocity + gain }
         };
-        predict::predict(physics.forces, cloth, next, sweep::go::<S, L>(moment));
-        sweep::sweeps(physics.links, cloth, moment, 1);
-        confine(physics, cloth, moment);
+        predict::predict(physics.forces, particles, next, sweep::go::<S, L>(moment));
+        sweep::sweeps(physics.links, particles, moment, 1);
+        confine(physics, particles, moment);
     }
 }

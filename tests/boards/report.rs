@@ -200,7 +200,8 @@ fn readme(figures: &[Figure]) -> String {
 }
 
 fn thousands(figure: &Figure) -> [String; 3] {
-    figure.instructions().map(|instructions| format!("{:.0}", instructions as f64 / 1e3))
+    // at rest they are few
+    figure.instructions().map(|count| format!("{:.*}", if count < 10_000 { 2 } else { 0 }, count as f64 / 1e3))
 }
 
 fn head(left: &[&str], right: &[&str]) -> String {

@@ -3,8 +3,8 @@
 use kerchief::link::Visitor;
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, ForwardEuler, Gravity,
-    Leapfrog, Lines, Links, Moment, Node, Plane, Q13, Q24, Scalar, Scene, Shear, Solver, Sphere, StrainLimited,
-    Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
+    Leapfrog, Lines, Links, Moment, Node, Particles, Plane, Q13, Q24, Scalar, Scene, Shear, Solver, Sphere,
+    StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
 };
 
 use super::setup::{self, Mass, SIDE, Setup, Surface, Wind};
@@ -174,9 +174,9 @@ impl<S: Scalar> Links<S> for Held<S> {
         self.springs.dampers(visitor);
     }
 
-    fn confine<const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, moment: Moment) {
-        self.tether.confine(cloth, moment);
-        self.limit.confine(cloth, moment);
+    fn confine<const W: usize, const H: usize>(&self, particles: &mut Particles<S, W, H>, moment: Moment) {
+        self.tether.confine(particles, moment);
+        self.limit.confine(particles, moment);
     }
 }
 

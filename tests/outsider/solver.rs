@@ -4,8 +4,8 @@ use kerchief::force::{Force, Row};
 use kerchief::link::{Family, Links, Visitor, each};
 use kerchief::solver::Physics;
 use kerchief::{
-    Cloth, Collider, Gravity, Grid, Leapfrog, Moment, Node, Scalar, Scene, Solver, Sphere, Stretch, Units, Vec3,
-    Vectors, measure,
+    Cloth, Collider, Gravity, Grid, Leapfrog, Moment, Node, Particles, Scalar, Scene, Solver, Sphere, Stretch, Units,
+    Vec3, Vectors, measure,
 };
 
 #[derive(Clone, Copy)]
@@ -22,23 +22,23 @@ impl<S: Scalar> Solver<S> for SemiImplicitEuler {
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         gain: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
         *gain = Vectors::filled(Vec3::ZERO);
         for (row, gain) in gain.0.iter_mut().enumerate() {
-            let (position, velocity) = (&cloth.position.0[row], &cloth.velocity.0[row]);
+            let (position, velocity) = (&particles.position.0[row], &particles.velocity.0[row]);
             physics.forces.particles(Row { position, velocity }, gain);
         }
-        physics.links.springs(&mut Pull { cloth, gain, moment });
+        physics.links.springs(&mut Pull { particles, gain, moment });
         for node in Grid::<S, W, H>::nodes() {
-            if !cloth.is_pinned(node) {
-                cloth.velocity.add(node, gain.at(node) * cloth.inverse_mass[node] + physics.forces.uniform());
-                cloth.position.add(node, moment.displacement(cloth.velocity.at(node)));
-                let moved = moment.displacement(cloth.velocity.at(node));
-                if let Some(by) = physics.colliders.contact(moment, cloth.position.at(node), moved) {
-                    cloth.displace(node, by, moment);
+            if !particles.is_pinned(node) {
+                particles.velocity.add(node, gain.at(node) * particles.inverse_mass[node] + physics.forces.uniform());
+                particles.position.add(node, moment.displacement(particles.velocity.at(node)));
+                let moved = moment.displacement(particles.velocity.at(node));
+                if let Some(by) = physics.colliders.contact(moment, particles.position.at(node), moved) {
+                    particles.displace(node, by, moment);
                 }
             }
         }
@@ -46,7 +46,7 @@ impl<S: Scalar> Solver<S> for SemiImplicitEuler {
 }
 
 struct Pull<'a, S, const W: usize, const H: usize> {
-    cloth: &'a Cloth<S, W, H>,
+    particles: &'a Particles<S, W, H>,
     gain: &'a mut Vectors<S, W, H>,
     moment: Moment,
 }
@@ -54,7 +54,7 @@ struct Pull<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Pull<'_, S, W, H> {
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let d = self.cloth.position.at(b) - self.cloth.position.at(a);
+            let d = self.particles.position.at(b) - self.particles.position.at(a);
             let pull = d * (S::elongation(d.squared(), &family.rest) * family.strength.value());
             self.gain.add(a, self.moment.velocity(pull));
             self.gain.add(b, -(self.moment.velocity(pull)));

@@ -1,5 +1,7 @@
-//! A sheet that has settled is not computed, keeps its bits, and wakes on any change; one that moves slowly is not settled.
+//! A sheet that has settled is not computed, costs next to nothing, keeps its bits, and wakes on any change; one that moves slowly is not settled.
 
+mod cost;
+mod restored;
 mod settled;
 mod slow;
 mod still;

@@ -5,6 +5,7 @@ use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::*;
+use crate::cloth::Cloth;
 use crate::render::{Ball, Light, View};
 use crate::scalar::Q24;
 use crate::units::{Length, Point as Spot, Units};

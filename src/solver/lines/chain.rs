@@ -11,10 +11,10 @@
 //! Columns are solved side by side, [`LANES`] at a time. A row is eliminated from both its ends to its middle (a twisted factorisation), so that a mirrored
 //! sheet of even width is solved as the mirror image, to the last bit; all of a row but the elimination is done for many links at once.
 
-use crate::cloth::Cloth;
 use crate::grid::Grid;
 use crate::link::Quotient;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::{Rest, Scalar};
 use crate::solver::ordinary::Ordinary;
 use crate::vec3::Vec3;
@@ -70,7 +70,7 @@ fn times<const ORDINARY: bool, S: Scalar>(x: S, ratio: S) -> S {
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     /// Solves every row. Returns the largest difference between a link's length and rest length that it met.
     #[inline(never)] // one for all scenes of a grid
-    pub(super) fn rows(&self, cloth: &mut Cloth<S, W, H>, tension: &mut Grid<S, W, H>) -> S {
+    pub(super) fn rows(&self, particles: &mut Particles<S, W, H>, tension: &mut Grid<S, W, H>) -> S {
         let mut worst = S::ZERO;
         if W > 1 {
             for row in 0..H {
@@ -79,9 +79,9 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 }
                 let tension = &mut tension.0[row];
                 worst = worst.max(if const { skips_masses::<S>() } && self.ordinary.rows[row] {
-                    self.row::<true>(cloth, row, tension)
+                    self.row::<true>(particles, row, tension)
                 } else {
-                    self.row::<false>(cloth, row, tension)
+                    self.row::<false>(particles, row, tension)
                 });
             }
         }
@@ -89,12 +89,12 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     }
 
     #[inline(always)]
-    fn row<const ORDINARY: bool>(&self, cloth: &mut Cloth<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
+    fn row<const ORDINARY: bool>(&self, particles: &mut Particles<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
         let Quotient { dividend, divisor } = self.strength;
         let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
         let (links, middle) = (W - 1, (W - 1) / 2);
-        let x = &cloth.position.0[row];
-        let w = cloth.inverse_mass.0[row].map(|w| heavy.scaled(w));
+        let x = &particles.position.0[row];
+        let w = particles.inverse_mass.0[row].map(|w| heavy.scaled(w));
         let mut normal = Vec3::row(Vec3::ZERO);
         let [mut residual, mut diagonal, mut coupling, mut change] = [[S::ZERO; W]; 4];
         let mut worst = S::ZERO;
@@ -171,7 +171,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
         let before = behind::<1, S, W>(&pull);
         displace_row(
-            cloth,
+            particles,
             row,
             |k| {
                 let by = pull.at(k) - before(k);
@@ -185,7 +185,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
         if self.is_taut(most, heavy) {
             let by = ease(&normal, &change.map(|change| change.scaled(dividend)), &w, self.rest.inverse, heavy);
-            displace_row(cloth, row, |k| by.at(k), self.moment);
+            displace_row(particles, row, |k| by.at(k), self.moment);
         }
         worst
     }
@@ -198,30 +198,30 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     /// Solves every column.
     #[inline(never)] // one for all scenes of a grid
-    pub(super) fn columns(&self, cloth: &mut Cloth<S, W, H>, tension: &mut Grid<S, W, H>) {
+    pub(super) fn columns(&self, particles: &mut Particles<S, W, H>, tension: &mut Grid<S, W, H>) {
         let mut column = 0;
         // where products depend on the masses of a column, every machine looks at one
         if const { !skips_masses::<S>() } {
             while column + LANES <= W {
-                self.some::<LANES>(cloth, column, tension);
+                self.some::<LANES>(particles, column, tension);
                 column += LANES;
             }
             while column + 4 <= W {
-                self.some::<4>(cloth, column, tension);
+                self.some::<4>(particles, column, tension);
                 column += 4;
             }
         }
         while column < W {
-            self.some::<1>(cloth, column, tension);
+            self.some::<1>(particles, column, tension);
             column += 1;
         }
     }
 
-    fn some<const N: usize>(&self, cloth: &mut Cloth<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) {
+    fn some<const N: usize>(&self, particles: &mut Particles<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) {
         if const { skips_masses::<S>() } && self.ordinary.columns.iter().skip(first).take(N).all(|ordinary| *ordinary) {
-            self.side_by_side::<N, true>(cloth, first, tension);
+            self.side_by_side::<N, true>(particles, first, tension);
         } else {
-            self.side_by_side::<N, false>(cloth, first, tension);
+            self.side_by_side::<N, false>(particles, first, tension);
         }
     }
 
@@ -229,7 +229,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     #[inline(never)] // so that sheet and multipliers are known to be apart
     fn side_by_side<const N: usize, const ORDINARY: bool>(
         &self,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         first: usize,
         tension: &mut Grid<S, W, H>,
     ) {
@@ -243,8 +243,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut changes = [[S::ZERO; N]; H];
         let mut above = [Eliminated::NONE; N];
         for row in 0..H.saturating_sub(1) {
-            let [x, y] = [&cloth.position.0[row], &cloth.position.0[row + 1]];
-            let [u, v] = [&cloth.inverse_mass.0[row], &cloth.inverse_mass.0[row + 1]];
+            let [x, y] = [&particles.position.0[row], &particles.position.0[row + 1]];
+            let [u, v] = [&particles.inverse_mass.0[row], &particles.inverse_mass.0[row + 1]];
             let before = if row > 0 { normals[row - 1] } else { normals[H - 1] };
             for lane in 0..N {
                 let column = first + lane;
@@ -269,10 +269,10 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let [mut change, mut most] = [[S::ZERO; N]; 2];
         let mut below = Vec3::<[S; N]>::row(Vec3::ZERO);
         for row in (0..H).rev() {
-            let w = &cloth.inverse_mass.0[row];
+            let w = &particles.inverse_mass.0[row];
             // the least of both says to the compiler what it is
             let link_above = (if row > 0 { row - 1 } else { H - 1 }).min(H - 1);
-            let (x, v) = (&mut cloth.position.0[row], &mut cloth.velocity.0[row]);
+            let (x, v) = (&mut particles.position.0[row], &mut particles.velocity.0[row]);
             let mut pull = below;
             for lane in 0..N {
                 change[lane] = changes[link_above][lane] + times::<ORDINARY, S>(change[lane], factors[row][lane]);
@@ -293,7 +293,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
         for lane in 0..N {
             if self.is_taut(most[lane], heavy) {
-                self.ease_column(cloth, first, lane, (&normals, &changes), heavy);
+                self.ease_column(particles, first, lane, (&normals, &changes), heavy);
             }
         }
     }
@@ -302,7 +302,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     #[inline(never)] // few columns are that taut
     fn ease_column<const N: usize>(
         &self,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         first: usize,
         lane: usize,
         (normals, changes): (&[Vec3<[S; N]>; H], &[[S; N]; H]),
@@ -315,10 +315,10 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             normal.set(row, normals[row].at(lane));
             tension[row] = changes[row][lane].scaled(self.strength.dividend);
         }
-        let w = core::array::from_fn(|row| heavy.scaled(cloth.inverse_mass.0[row][column]));
+        let w = core::array::from_fn(|row| heavy.scaled(particles.inverse_mass.0[row][column]));
         let by = ease(&normal, &tension, &w, self.rest.inverse, heavy);
         for row in 0..H {
-            displace(&mut cloth.position.0[row], &mut cloth.velocity.0[row], column, by.at(row), self.moment);
+            displace(&mut particles.position.0[row], &mut particles.velocity.0[row], column, by.at(row), self.moment);
         }
     }
 }

@@ -4,10 +4,10 @@
 //! at the end; either act moves particles too, as every force does. For a damping κ = d·h/m that part is 1/(1 + κ·Σw)²: second order where κ is small, while
 //! strong dampers leave to the springs what these have put right.
 
-use crate::cloth::Cloth;
 use crate::grid::Node;
 use crate::link::{Family, Visitor, each};
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
@@ -23,7 +23,7 @@ pub(super) enum Act {
 
 /// Lets dampers act.
 pub(super) struct Damp<'a, S, const W: usize, const H: usize> {
-    pub(super) cloth: &'a mut Cloth<S, W, H>,
+    pub(super) particles: &'a mut Particles<S, W, H>,
     /// The velocities at the substep's start.
     pub(super) start: &'a Vectors<S, W, H>,
     pub(super) moment: Moment,
@@ -37,8 +37,8 @@ pub(super) struct Damp<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Damp<'_, S, W, H> {
     #[inline]
     fn accelerate(&mut self, node: Node, by: Vec3<S>) {
-        self.cloth.velocity.add(node, by);
-        self.cloth.position.add(node, self.moment.displacement(by * self.part));
+        self.particles.velocity.add(node, by);
+        self.particles.position.add(node, self.moment.displacement(by * self.part));
     }
 }
 
@@ -61,7 +61,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Damp<'_, S, W, H>
         let two = S::ONE + S::ONE;
         let ordinary = parts(two);
         each::<ACROSS, DOWN, W, H>(|a, b| {
-            let (wa, wb) = (self.cloth.inverse_mass[a], self.cloth.inverse_mass[b]);
+            let (wa, wb) = (self.particles.inverse_mass[a], self.particles.inverse_mass[b]);
             let inverse_mass = wa + wb;
             if inverse_mass == S::ZERO {
                 return;
@@ -69,7 +69,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Damp<'_, S, W, H>
             let [at_start, at_end] = if inverse_mass == two { ordinary } else { parts(inverse_mass) };
             let mut by = (self.start.at(b) - self.start.at(a)) * at_start;
             if act == Act::Second {
-                by += (self.cloth.velocity.at(b) - self.cloth.velocity.at(a)) * at_end;
+                by += (self.particles.velocity.at(b) - self.particles.velocity.at(a)) * at_end;
             }
             self.accelerate(a, by * wa);
             self.accelerate(b, -(by * wb));

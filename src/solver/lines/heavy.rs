@@ -4,7 +4,7 @@
 //! point holds. Where not all masses are 1, multipliers are therefore counted in units of 2^shift, and inverse masses and the divisor of the strength
 //! are 2^shift times as large: the same equations. Floats need no shift.
 
-use crate::cloth::Cloth;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 
 /// The largest inverse mass in the larger unit: the sum of two is still held.
@@ -19,11 +19,14 @@ pub(super) struct Heavy {
 impl Heavy {
     /// For the heaviest particle of a sheet whose rows of nothing but particles of mass 1 are `ordinary`: none up to 8 masses, since it costs digits.
     #[inline]
-    pub(super) fn new<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, ordinary: &[bool; H]) -> Self {
+    pub(super) fn new<S: Scalar, const W: usize, const H: usize>(
+        particles: &Particles<S, W, H>,
+        ordinary: &[bool; H],
+    ) -> Self {
         let mut heavy = Self { shift: 0 };
         if !S::FLOATS {
             let [mut least, mut most] = [S::ONE; 2];
-            for (row, _) in cloth.inverse_mass.0.iter().zip(ordinary).filter(|(_, ordinary)| !**ordinary) {
+            for (row, _) in particles.inverse_mass.0.iter().zip(ordinary).filter(|(_, ordinary)| !**ordinary) {
                 for w in row {
                     if *w > S::ZERO {
                         (least, most) = (least.min(*w), most.max(*w));
@@ -56,6 +59,7 @@ impl Heavy {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cloth::Cloth;
     use crate::scalar::Q24;
 
     fn shift<S: Scalar>(masses: [f64; 2]) -> u32 {

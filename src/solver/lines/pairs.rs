@@ -6,10 +6,10 @@
 
 use core::ops::Range;
 
-use crate::cloth::Cloth;
 use crate::grid::Grid;
 use crate::link::{Family, Quotient};
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::{Rest, Scalar};
 use crate::vec3::Vec3;
 use crate::vectors::{ahead, behind, columns, left, right};
@@ -44,7 +44,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     #[inline(never)] // one for all scenes of a grid
     pub(super) fn row<const ACROSS: usize, const START: bool, const W: usize>(
         &self,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         mut tension: Option<&mut Grid<S, W, H>>,
         warm: S,
     ) {
@@ -53,14 +53,14 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         }
         let links = columns::<ACROSS, 0, W>();
         for row in 0..H {
-            let (x, w) = (&cloth.position.0[row], &cloth.inverse_mass.0[row]);
+            let (x, w) = (&particles.position.0[row], &particles.inverse_mass.0[row]);
             let mut none = [S::ZERO; W];
             let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
             let softness = self.softness([row; 2], [w, w], left::<ACROSS, S, W>);
             let mut pull = self.pull::<START, W>(links.clone(), x, ahead::<ACROSS, S, W>(x), &softness, tension, warm);
             without_last::<ACROSS, S, W>(&mut pull, tension);
             let before = behind::<ACROSS, S, W>(&pull);
-            self.displace(cloth, row, &softness, |column| pull.at(column) - before(column));
+            self.displace(particles, row, &softness, |column| pull.at(column) - before(column));
         }
     }
 
@@ -68,20 +68,20 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     #[inline(never)] // one for all scenes of a grid
     pub(super) fn column<const DOWN: usize, const START: bool, const W: usize>(
         &self,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         mut tension: Option<&mut Grid<S, W, H>>,
         warm: S,
     ) {
         // before the links of a row act, those that end in it have acted
         for row in 0..H.saturating_sub(DOWN) {
-            let [x, y] = [row, row + DOWN].map(|row| &cloth.position.0[row]);
-            let [u, v] = [row, row + DOWN].map(|row| &cloth.inverse_mass.0[row]);
+            let [x, y] = [row, row + DOWN].map(|row| &particles.position.0[row]);
+            let [u, v] = [row, row + DOWN].map(|row| &particles.inverse_mass.0[row]);
             let mut none = [S::ZERO; W];
             let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
             let softness = self.softness([row, row + DOWN], [u, v], |v| *v);
             let pull = self.pull::<START, W>(0..W, x, |column| y.at(column), &softness, tension, warm);
-            self.displace(cloth, row, &softness, |column| pull.at(column));
-            self.displace(cloth, row + DOWN, &softness, |column| -pull.at(column));
+            self.displace(particles, row, &softness, |column| pull.at(column));
+            self.displace(particles, row + DOWN, &softness, |column| -pull.at(column));
         }
     }
 
@@ -89,7 +89,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     #[inline(never)] // one for all scenes of a grid
     pub(super) fn diagonals<const ACROSS: usize, const DOWN: usize, const START: bool, const W: usize>(
         &self,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         mut tension: Option<[&mut Grid<S, W, H>; 2]>,
         warm: S,
     ) {
@@ -99,8 +99,8 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         for colour in 0..2 {
             let mut row = colour;
             while row + DOWN < H {
-                let [x, y] = [row, row + DOWN].map(|row| &cloth.position.0[row]);
-                let [u, v] = [row, row + DOWN].map(|row| &cloth.inverse_mass.0[row]);
+                let [x, y] = [row, row + DOWN].map(|row| &particles.position.0[row]);
+                let [u, v] = [row, row + DOWN].map(|row| &particles.inverse_mass.0[row]);
                 let mut none = [[S::ZERO; W]; 2];
                 let [falling, rising] = match &mut tension {
                     Some([falling, rising]) => [&mut falling.0[row], &mut rising.0[row]],
@@ -115,9 +115,9 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
                 let softness = self.softness([row, row + DOWN], [u, v], right::<ACROSS, S, W>);
                 let mut rise = self.pull::<START, W>(links, x, behind::<ACROSS, S, W>(y), &softness, rising, warm);
                 without_first::<ACROSS, S, W>(&mut rise, rising);
-                self.displace(cloth, row, &softness, |column| fall.at(column) + rise.at(column));
+                self.displace(particles, row, &softness, |column| fall.at(column) + rise.at(column));
                 let (fall, rise) = (behind::<ACROSS, S, W>(&fall), ahead::<ACROSS, S, W>(&rise));
-                self.displace(cloth, row + DOWN, &softness, |column| -(fall(column) + rise(column)));
+                self.displace(particles, row + DOWN, &softness, |column| -(fall(column) + rise(column)));
                 row += 2;
             }
         }
@@ -156,17 +156,17 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     #[inline(always)]
     fn displace<const W: usize>(
         &self,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         row: usize,
         softness: &Softness<S, W>,
         pull: impl Fn(usize) -> Vec3<S>,
     ) {
         let heavy = if let Softness::Any(_) = softness { self.heavy } else { Heavy::NONE };
         if self.ordinary[row] && heavy == Heavy::NONE {
-            displace_row(cloth, row, pull, self.moment);
+            displace_row(particles, row, pull, self.moment);
         } else {
-            let w = cloth.inverse_mass.0[row].map(|w| heavy.scaled(w));
-            displace_row(cloth, row, |column| pull(column) * w[column], self.moment);
+            let w = particles.inverse_mass.0[row].map(|w| heavy.scaled(w));
+            displace_row(particles, row, |column| pull(column) * w[column], self.moment);
         }
     }
 

@@ -1,8 +1,8 @@
 //! Where a substep starts.
 
-use crate::cloth::Cloth;
 use crate::force::{Force, Row};
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::predict;
 use crate::vec3::Vec3;
@@ -12,28 +12,28 @@ use super::{History, Memory};
 /// Backward Euler without links: `v̂ = (v + gain)/(1 + γ·h)`, `x̂ = x + h·v̂`.
 pub(super) fn first_order<S: Scalar, F: Force<S>, const W: usize, const H: usize, const N: usize>(
     forces: &F,
-    cloth: &mut Cloth<S, W, H>,
+    particles: &mut Particles<S, W, H>,
     memory: &mut Memory<S, W, H, N>,
     moment: Moment,
 ) {
-    memory.earlier = cloth.velocity;
+    memory.earlier = particles.velocity;
     let slowed = (S::ONE + forces.drag().rate).recip();
     predict::predict(
         forces,
-        cloth,
+        particles,
         |velocity, gain| {
             if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
         },
         |position, velocity| [position, velocity],
     );
     // apart: in one loop, which the compiler unrolls, it took 2 % more flash
-    predict::drift(cloth, moment.shift);
+    predict::drift(particles, moment.shift);
 }
 
 /// The second-order rule without links, `v̂ = (v + (v − v₋)/3 + (2/3)·gain)/(1 + (2/3)·γ·h)`, `x̂ = x + h·(4·v̂ + v + v₋)/6`.
 pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usize, const N: usize>(
     forces: &F,
-    cloth: &mut Cloth<S, W, H>,
+    particles: &mut Particles<S, W, H>,
     memory: &mut Memory<S, W, H, N>,
     moment: Moment,
 ) {
@@ -45,22 +45,22 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
     let uniform = forces.uniform();
     let start = memory.history == History::None;
     let mut gain = Vec3::row(Vec3::ZERO);
-    let mut here = if F::FIELD { Some(ahead(cloth, memory, 0, start, moment)) } else { None };
+    let mut here = if F::FIELD { Some(ahead(particles, memory, 0, start, moment)) } else { None };
     for row in 0..H {
         let mut below_gain = Vec3::row(Vec3::ZERO);
         if let Some([position, velocity]) = &here {
             let upper = Row { position, velocity };
             forces.particles(upper, &mut gain);
-            let below = (row + 1 < H).then(|| ahead(cloth, memory, row + 1, start, moment));
+            let below = (row + 1 < H).then(|| ahead(particles, memory, row + 1, start, moment));
             if let Some([position, velocity]) = &below {
                 forces.cells([upper, Row { position, velocity }], [&mut gain, &mut below_gain]);
             }
             here = below;
         }
-        let velocity = cloth.velocity.0[row];
+        let velocity = particles.velocity.0[row];
         let mut earlier = core::mem::replace(&mut memory.earlier.0[row], velocity);
         for column in 0..W {
-            let by = if F::FIELD { gain.at(column) * cloth.inverse_mass.0[row][column] + uniform } else { uniform };
+            let by = if F::FIELD { gain.at(column) * particles.inverse_mass.0[row][column] + uniform } else { uniform };
             gain.set(column, by * two_thirds);
             if start {
                 let v = velocity.at(column);
@@ -68,9 +68,9 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
             }
         }
         if F::DRAG {
-            rule.row(cloth, row, &earlier, &gain, |v| v * slowed);
+            rule.row(particles, row, &earlier, &gain, |v| v * slowed);
         } else {
-            rule.row(cloth, row, &earlier, &gain, |v| v);
+            rule.row(particles, row, &earlier, &gain, |v| v);
         }
         gain = below_gain;
     }
@@ -89,14 +89,14 @@ impl<S: Scalar> Rule<S> {
     #[inline(never)] // so that its rows are known to be apart
     fn row<const W: usize, const H: usize>(
         &self,
-        cloth: &mut Cloth<S, W, H>,
+        particles: &mut Particles<S, W, H>,
         row: usize,
         earlier: &Vec3<[S; W]>,
         gain: &Vec3<[S; W]>,
         slow: impl Fn(Vec3<S>) -> Vec3<S>,
     ) {
-        let inverse_mass = &cloth.inverse_mass.0[row];
-        let (position, velocity) = (&mut cloth.position.0[row], &mut cloth.velocity.0[row]);
+        let inverse_mass = &particles.inverse_mass.0[row];
+        let (position, velocity) = (&mut particles.position.0[row], &mut particles.velocity.0[row]);
         for column in 0..W {
             let (v, earlier) = (velocity.at(column), earlier.at(column));
             let next = slow(v + (v - earlier) * self.third + gain.at(column));
@@ -112,18 +112,18 @@ impl<S: Scalar> Rule<S> {
 /// A row's positions and velocities at the substep's end, extrapolated from the last two substeps. Wind at its start would be of first order.
 #[inline]
 fn ahead<S: Scalar, const W: usize, const H: usize, const N: usize>(
-    cloth: &Cloth<S, W, H>,
+    particles: &Particles<S, W, H>,
     memory: &Memory<S, W, H, N>,
     row: usize,
     start: bool,
     moment: Moment,
 ) -> [Vec3<[S; W]>; 2] {
-    let [mut position, mut velocity] = [cloth.position.0[row], cloth.velocity.0[row]];
+    let [mut position, mut velocity] = [particles.position.0[row], particles.velocity.0[row]];
     let earlier = if start { velocity } else { memory.earlier.0[row] };
     for column in 0..W {
         let v = velocity.at(column);
         // a pin has the velocity that it was given, from one substep to the next
-        let held = cloth.inverse_mass.0[row][column] == S::ZERO;
+        let held = particles.inverse_mass.0[row][column] == S::ZERO;
         let change = Vec3::ZERO.or(v - earlier.at(column), held);
         velocity.set(column, v + change);
         position.add(column, moment.displacement(v + change.halve(1)));

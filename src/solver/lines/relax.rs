@@ -1,9 +1,9 @@
 //! A sweep over all links of a scene.
 
-use crate::cloth::Cloth;
 use crate::grid::Grid;
 use crate::link::{Family, Links, Quotient, Visitor};
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::ordinary::Ordinary;
 
@@ -25,7 +25,7 @@ enum Pass {
 
 /// Relaxes links.
 pub(super) struct Relax<'a, S, const W: usize, const H: usize, const N: usize> {
-    pub(super) cloth: &'a mut Cloth<S, W, H>,
+    pub(super) particles: &'a mut Particles<S, W, H>,
     tension: &'a mut [Grid<S, W, H>; N],
     moment: Moment,
     /// What the rule in time makes of κ.
@@ -43,15 +43,15 @@ pub(super) struct Relax<'a, S, const W: usize, const H: usize, const N: usize> {
 
 impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S, W, H, N> {
     pub(super) fn new(
-        cloth: &'a mut Cloth<S, W, H>,
+        particles: &'a mut Particles<S, W, H>,
         tension: &'a mut [Grid<S, W, H>; N],
         moment: Moment,
         softness: S,
     ) -> Self {
-        let ordinary = Ordinary::new(cloth);
-        let heavy = Heavy::new(cloth, &ordinary.rows);
+        let ordinary = Ordinary::new(particles);
+        let heavy = Heavy::new(particles, &ordinary.rows);
         let (pass, met) = (Pass::Others, S::ZERO);
-        Self { cloth, tension, moment, softness, pass, first: true, slot: 0, met, ordinary, heavy }
+        Self { particles, tension, moment, softness, pass, first: true, slot: 0, met, ordinary, heavy }
     }
 
     /// Lets every link act with a part of its last multiplier.
@@ -91,10 +91,10 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         let chain =
             Chain { rest: &family.rest, strength, moment: self.moment, ordinary: &self.ordinary, heavy: self.heavy };
         if const { DOWN == 0 } {
-            let worst = chain.rows(self.cloth, tension);
+            let worst = chain.rows(self.particles, tension);
             self.met = self.met.max(worst * family.rest.inverse);
         } else {
-            chain.columns(self.cloth, tension);
+            chain.columns(self.particles, tension);
         }
     }
 
@@ -115,11 +115,11 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         let tension = memory.unwrap_or(&mut []);
         if const { ACROSS > 0 && DOWN > 0 } {
             let tension = if let [falling, rising, ..] = tension { Some([falling, rising]) } else { None };
-            pairs.diagonals::<ACROSS, DOWN, START, W>(self.cloth, tension, warm);
+            pairs.diagonals::<ACROSS, DOWN, START, W>(self.particles, tension, warm);
         } else if const { DOWN == 0 } {
-            pairs.row::<ACROSS, START, W>(self.cloth, tension.first_mut(), warm);
+            pairs.row::<ACROSS, START, W>(self.particles, tension.first_mut(), warm);
         } else {
-            pairs.column::<DOWN, START, W>(self.cloth, tension.first_mut(), warm);
+            pairs.column::<DOWN, START, W>(self.particles, tension.first_mut(), warm);
         }
     }
 }
