@@ -23,8 +23,8 @@ pub trait Collider<S: Scalar> {
     /// Whether there is anything at all.
     const PRESENT: bool = true;
 
-    /// By how much a particle at `position`, `moved` so far in this substep, has to move; `None` where it may stay.
-    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>>;
+    /// How a particle at `position`, `moved` so far in this substep, meets a surface; `None` where it may stay.
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>>;
 
     /// Whether a particle somewhere between the corners `low` and `high` of a box may have to move: whole rows are skipped by it. Never false where
     /// [`contact`](Self::contact) would be something.
@@ -45,12 +45,65 @@ pub trait Collider<S: Scalar> {
     }
 }
 
+/// Where a particle meets a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact<S> {
+    /// By how much the particle has to move: out, and back along the surface by friction.
+    pub by: Vec3<S>,
+    /// The surface's unit normal, to the side that is free.
+    pub normal: Vec3<S>,
+    /// How far the particle has to move along the normal, cells.
+    pub depth: S,
+    /// The surface's velocity, cells per tick.
+    pub velocity: Vec3<S>,
+}
+
+impl<S: Scalar> Contact<S> {
+    /// With a smooth surface at rest.
+    #[inline]
+    pub fn smooth(normal: Vec3<S>, depth: S) -> Self {
+        Self { by: normal * depth, normal, depth, velocity: Vec3::ZERO }
+    }
+
+    /// The same with a rough one, on which the particle `moved` in this substep: it moves back along the surface by at most `friction · depth`.
+    #[inline]
+    #[must_use]
+    pub fn rough(self, friction: S, moved: Vec3<S>) -> Self {
+        if friction == S::ZERO {
+            return self;
+        }
+        let along = moved - self.normal * moved.dot(self.normal);
+        let length = along.length();
+        let grip = friction * self.depth;
+        let back = if length <= grip { along } else { along * grip.divide(length) };
+        Self { by: self.by - back, ..self }
+    }
+}
+
 /// Moves every free particle out of `colliders`.
 #[inline]
 pub(crate) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
     colliders: &C,
     particles: &mut Particles<S, W, H>,
     moment: Moment,
+) {
+    touch(
+        colliders,
+        particles,
+        moment,
+        |particles, node| moment.displacement(particles.velocity.at(node)),
+        |particles, node, contact| particles.displace(node, contact.by, moment),
+    );
+}
+
+/// Calls `act` with every free particle that meets `colliders`, given what it `moved` in this substep.
+#[inline]
+pub(crate) fn touch<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
+    colliders: &C,
+    particles: &mut Particles<S, W, H>,
+    moment: Moment,
+    moved: impl Fn(&Particles<S, W, H>, Node) -> Vec3<S>,
+    mut act: impl FnMut(&mut Particles<S, W, H>, Node, Contact<S>),
 ) {
     if !C::PRESENT {
         return;
@@ -65,9 +118,9 @@ pub(crate) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>
             if particles.is_pinned(node) {
                 continue;
             }
-            let moved = moment.displacement(particles.velocity.at(node));
-            if let Some(by) = colliders.contact(moment, particles.position.at(node), moved) {
-                particles.displace(node, by, moment);
+            let moved = moved(particles, node);
+            if let Some(contact) = colliders.contact(moment, particles.position.at(node), moved) {
+                act(particles, node, contact);
             }
         }
     }
@@ -78,20 +131,6 @@ pub(crate) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>
 fn bounds<S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> [Vec3<S>; 2] {
     let extreme = |row: &[S; W], choose: fn(S, S) -> S| row.iter().fold(row[0], |found, &x| choose(found, x));
     [S::min, S::max].map(|choose| Vec3::new(extreme(&row.x, choose), extreme(&row.y, choose), extreme(&row.z, choose)))
-}
-
-/// A surface's answer to a particle `depth` too deep along the unit `normal` that `slid` along with it: out by the depth, and back
-/// along the surface by at most `friction · depth`.
-#[inline]
-fn respond<S: Scalar>(normal: Vec3<S>, depth: S, slid: Vec3<S>, friction: S) -> Vec3<S> {
-    let out = normal * depth;
-    if friction == S::ZERO {
-        return out;
-    }
-    let along = slid - normal * slid.dot(normal);
-    let length = along.length();
-    let grip = friction * depth;
-    if length <= grip { out - along } else { out - along * grip.divide(length) }
 }
 
 /// The way from a box to a point outside it, without signs; zero where the point is inside.
@@ -105,7 +144,7 @@ impl<S: Scalar> Collider<S> for () {
     const PRESENT: bool = false;
 
     #[inline]
-    fn contact(&self, _moment: Moment, _position: Vec3<S>, _moved: Vec3<S>) -> Option<Vec3<S>> {
+    fn contact(&self, _moment: Moment, _position: Vec3<S>, _moved: Vec3<S>) -> Option<Contact<S>> {
         None
     }
 
@@ -115,7 +154,7 @@ impl<S: Scalar> Collider<S> for () {
 
 impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {
     #[inline]
-    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         let mut total = None;
         for collider in self {
             total = then(total, collider, moment, position, moved);
@@ -144,7 +183,7 @@ impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {
 
 impl<S: Scalar, T: Collider<S>, const N: usize> Collider<S> for heapless::Vec<T, N> {
     #[inline]
-    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         self.as_slice().contact(moment, position, moved)
     }
 
@@ -164,17 +203,18 @@ impl<S: Scalar, T: Collider<S>, const N: usize> Collider<S> for heapless::Vec<T,
     }
 }
 
-/// What `total` and then `collider` ask for together.
+/// What `total` and then `collider` ask for together; the surface is the last one's.
 #[inline]
 fn then<S: Scalar, T: Collider<S>>(
-    total: Option<Vec3<S>>,
+    total: Option<Contact<S>>,
     collider: &T,
     moment: Moment,
     position: Vec3<S>,
     moved: Vec3<S>,
-) -> Option<Vec3<S>> {
-    let by = total.unwrap_or(Vec3::ZERO);
-    collider.contact(moment, position + by, moved + by).map(|more| by + more).or(total)
+) -> Option<Contact<S>> {
+    let by = total.map_or(Vec3::ZERO, |contact| contact.by);
+    let last = collider.contact(moment, position + by, moved + by);
+    last.map(|contact| Contact { by: by + contact.by, ..contact }).or(total)
 }
 
 macro_rules! tuple {
@@ -183,7 +223,7 @@ macro_rules! tuple {
             const PRESENT: bool = $($name::PRESENT)||+;
 
             #[inline]
-            fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+            fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
                 let total = None;

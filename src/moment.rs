@@ -39,6 +39,17 @@ impl Moment {
         }
     }
 
+    /// What a velocity has of a position in fixed point: of two positions it differs by the velocity that belongs to their difference. It wraps.
+    #[inline]
+    pub(crate) fn share<S: Scalar>(self, position: Vec3<S>) -> Vec3<S> {
+        let whole = position.double(self.shift);
+        match self.halves {
+            2 => whole,
+            _ if self.shift > 0 => whole + position.double(self.shift - 1),
+            _ => whole + position.halve(1),
+        }
+    }
+
     /// The displacement in the substep with a velocity.
     #[inline]
     pub fn displacement<S: Scalar>(self, velocity: Vec3<S>) -> Vec3<S> {

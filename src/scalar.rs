@@ -97,6 +97,13 @@ pub trait Scalar:
         self * ratio
     }
 
+    /// The same, rounded as told.
+    #[inline]
+    #[must_use]
+    fn scaled_as(self, ratio: Self, _: Rounding) -> Self {
+        self.scaled(ratio)
+    }
+
     /// The square root of a sum of squares.
     fn root(squares: Self::Product) -> Self;
 

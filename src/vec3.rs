@@ -87,11 +87,11 @@ impl<S: Scalar> Vec3<S> {
         self.map(|component| component.scaled(ratio))
     }
 
-    /// The vector of length `length` in this direction.
+    /// The vector of length `length` in this direction, rounded as told.
     #[inline(always)]
     #[must_use]
-    pub fn of_length(self, length: S) -> Self {
-        self.map(|component| length.scaled(component))
+    pub fn of_length(self, length: S, rounding: Rounding) -> Self {
+        self.map(|component| length.scaled_as(component, rounding))
     }
 
     /// What [`Scalar::correction`] makes of this edge.

@@ -1,6 +1,6 @@
 //! A rod with round ends.
 
-use crate::collider::{Collider, respond};
+use crate::collider::{Collider, Contact};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -40,7 +40,7 @@ impl<S: Scalar> Capsule<S> {
 
 impl<S: Scalar> Collider<S> for Capsule<S> {
     #[inline]
-    fn contact(&self, _moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+    fn contact(&self, _moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         let from_start = position - self.start;
         let along = from_start.dot(self.axis).max(S::ZERO).min(self.length);
         let d = from_start - self.axis * along;
@@ -52,7 +52,7 @@ impl<S: Scalar> Collider<S> for Capsule<S> {
         let distance = S::root(squared);
         let up = Vec3::new(S::ZERO, S::ZERO, S::ONE);
         let normal = if distance == S::ZERO { up } else { d.map(|component| component.divide(distance)) };
-        Some(respond(normal, self.reach - distance, moved, self.friction))
+        Some(Contact::smooth(normal, self.reach - distance).rough(self.friction, moved))
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! A half-space: ground, wall, slope.
 
-use crate::collider::{Collider, respond};
+use crate::collider::{Collider, Contact};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -36,9 +36,9 @@ impl<S: Scalar> Plane<S> {
 
 impl<S: Scalar> Collider<S> for Plane<S> {
     #[inline]
-    fn contact(&self, _moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+    fn contact(&self, _moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         let depth = self.margin - (position - self.point).dot(self.normal);
-        (depth > S::ZERO).then(|| respond(self.normal, depth, moved, self.friction))
+        (depth > S::ZERO).then(|| Contact::smooth(self.normal, depth).rough(self.friction, moved))
     }
 
     #[inline]

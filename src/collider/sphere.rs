@@ -1,6 +1,6 @@
 //! A ball.
 
-use crate::collider::{Collider, gap, respond};
+use crate::collider::{Collider, Contact, gap};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -42,7 +42,7 @@ impl<S: Scalar> Sphere<S> {
 
 impl<S: Scalar> Collider<S> for Sphere<S> {
     #[inline]
-    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         let travelled = self.velocity * moment.ticks();
         let d = position - (self.centre + travelled);
         let squared = d.squared();
@@ -54,7 +54,8 @@ impl<S: Scalar> Collider<S> for Sphere<S> {
         let up = Vec3::new(S::ZERO, S::ZERO, S::ONE);
         let normal = if distance == S::ZERO { up } else { d.map(|component| component.divide(distance)) };
         let slid = moved - moment.displacement(self.velocity);
-        Some(respond(normal, self.reach - distance, slid, self.friction))
+        let contact = Contact { velocity: self.velocity, ..Contact::smooth(normal, self.reach - distance) };
+        Some(contact.rough(self.friction, slid))
     }
 
     #[inline]

@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::description::{Description, Surface};
 use super::error::SceneError;
 use super::fit::Fit;
-use crate::collider::{Capsule, Collider, Plane, Sphere};
+use crate::collider::{Capsule, Collider, Contact, Plane, Sphere};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -38,7 +38,7 @@ enum Obstacle<S> {
 }
 
 impl<S: Scalar> Collider<S> for Obstacle<S> {
-    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         match self {
             Self::Sphere(sphere) => sphere.contact(moment, position, moved),
             Self::Plane(plane) => plane.contact(moment, position, moved),
@@ -94,7 +94,7 @@ impl<S: Scalar + Send> Obstacles<S> for Solids<S> {
 }
 
 impl<S: Scalar> Collider<S> for Solids<S> {
-    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         self.0.as_slice().contact(moment, position, moved)
     }
 

@@ -204,7 +204,12 @@ impl<K: Kernel> Scalar for Fixed24<K> {
 
     #[inline]
     fn scaled(self, ratio: Self) -> Self {
-        Self::from_bits(K::scaled(self.to_bits(), ratio.to_bits()))
+        Self::from_bits(K::scaled(self.to_bits(), ratio.to_bits(), Rounding::NEAREST))
+    }
+
+    #[inline]
+    fn scaled_as(self, ratio: Self, rounding: Rounding) -> Self {
+        Self::from_bits(K::scaled(self.to_bits(), ratio.to_bits(), rounding))
     }
 
     #[inline]

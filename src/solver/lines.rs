@@ -14,6 +14,7 @@
 //! part of the last ones does not die away, and shakes it. Those of other families start from a part of the last ones where they are soft, which is worth a sweep.
 
 mod chain;
+mod contact;
 mod damp;
 mod ease;
 mod flicker;
@@ -22,14 +23,14 @@ mod pairs;
 mod predict;
 mod relax;
 
-use crate::collider::{Collider, resolve};
+use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::Grid;
 use crate::link::Links;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, confine};
+use crate::solver::{Physics, Solver};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
@@ -136,6 +137,8 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         moment: Moment,
     ) {
         let first_order = memory.history == History::Rough;
+        // what friction looks back to
+        let start = C::PRESENT.then_some(particles.position);
         if first_order {
             predict::first_order(physics.forces, particles, memory, moment);
         } else {
@@ -156,6 +159,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         };
         damp(particles, &memory.earlier, Act::First);
         let mut relax = Relax::new(particles, &mut memory.tension, moment, softness);
+        relax.set_aside();
         if memory.history == History::Full {
             relax.start(physics.links);
         } else {
@@ -165,11 +169,14 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         let (mut before, mut met) = (S::ZERO, relax.sweep(physics.links, true));
         let (mut sweeps, least) = (1, self.sweeps.max(memory.flicker.kept()));
         while sweeps < self.most_sweeps && (sweeps < least || met > tolerance) {
-            // between the sweeps, so that links answer to what a collider does to them
-            resolve(physics.colliders, relax.particles, moment);
+            if let Some(start) = &start {
+                // between the sweeps, so that links answer to what a collider does to them
+                contact::resolve(physics.colliders, relax.particles, start, &mut memory.earlier, moment, true);
+            }
             (before, met) = (met, relax.sweep(physics.links, false));
             sweeps += 1;
         }
+        relax.complete();
         // the last sweep but one has met rows within a quarter of the tolerance
         memory.flicker.learn(sweeps, self.sweeps, before < tolerance.halve(2));
         if memory.flicker.kept() > 0 && !is_calm(particles, moment) {
@@ -177,7 +184,10 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         }
         let rough = met > S::from_f64(ROUGH);
         damp(particles, &memory.earlier, Act::Second);
-        confine(physics, particles, moment);
+        physics.links.confine(particles, moment);
+        if let Some(start) = &start {
+            contact::resolve(physics.colliders, particles, start, &mut memory.earlier, moment, false);
+        }
         memory.history = match (rough, first_order) {
             (true, _) => History::Rough,
             (false, true) => History::Velocity,
@@ -195,7 +205,7 @@ fn is_calm<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W
     particles.velocity.0.iter().all(|row| calm(&row.x) && calm(&row.y) && calm(&row.z))
 }
 
-/// Moves a particle by a link.
+/// Moves a particle by a link. In fixed point its velocity is [set aside](relax::Relax::set_aside).
 #[inline(always)]
 fn displace<S: Scalar, const W: usize>(
     position: &mut Vec3<[S; W]>,
@@ -205,7 +215,9 @@ fn displace<S: Scalar, const W: usize>(
     moment: Moment,
 ) {
     position.add(column, by);
-    velocity.add(column, moment.velocity(by));
+    if S::FLOATS {
+        velocity.add(column, moment.velocity(by));
+    }
 }
 
 /// Moves a row.

@@ -1,5 +1,6 @@
 //! Plays a scene in any number type by any solver. It needs nothing but the crate: a board can run it too.
 
+use kerchief::collider::Contact;
 use kerchief::link::Visitor;
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, ForwardEuler, Gravity,
@@ -187,7 +188,7 @@ enum Obstacle<S> {
 }
 
 impl<S: Scalar> Collider<S> for Obstacle<S> {
-    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Vec3<S>> {
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         match self {
             Self::Ball(ball) => ball.contact(moment, position, moved),
             Self::Rod(rod) => rod.contact(moment, position, moved),

@@ -1,7 +1,9 @@
 //! Colliders: margins are kept, friction is Coulomb's.
 
 use kerchief::units::Length;
-use kerchief::{Capsule, Collider, Lines, Plane, Q24, Scalar, Solver, Sphere, Units, Vec3, Verlet, Xpbd};
+use kerchief::{
+    Capsule, Collider, Leapfrog, Lines, Plane, Q13, Q24, Scalar, Solver, Sphere, Units, Vec3, Verlet, Xpbd,
+};
 
 use crate::reference::{Model, Pose, Sheet};
 use crate::rig::scenes::{GRAVITY, springs};
@@ -57,33 +59,107 @@ fn no_particle_comes_nearer_than_the_margin() {
 }
 
 /// How far a sheet on a slope has slid after 0.5 s, m: the plane is level and gravity tilts.
-fn slid(slope: f64, friction: f64) -> f64 {
+fn slid<S: Scalar, V: Solver<S>>(solver: V, substeps: u32, slope: f64, friction: f64) -> f64 {
     let gravity = [9.81 * slope.sin(), 0.0, -9.81 * slope.cos()];
     let model = Model { drag: 0.0, ..free(gravity) };
     let plane = |units: &Units| {
-        let up = Vec3::new(0.0, 0.0, 1.0);
-        Plane::<f64>::new(units.point([0.0; 3]), up, Length(0.0)).with_friction(friction)
+        let up = Vec3::new(S::ZERO, S::ZERO, S::ONE);
+        Plane::<S>::new(units.point([0.0; 3]), up, Length(0.0)).with_friction(S::from_f64(friction))
     };
-    let mut rig = Rig::<f64, _, 8, 8>::new(&model, Pace::new(0.02, 32), Xpbd).with_colliders(plane);
+    let mut rig = Rig::<S, _, 8, 8>::new(&model, Pace::new(0.02, substeps), solver).with_colliders(plane);
     rig.run(25);
     rig.state().position[0][0] + 0.5
 }
 
-#[test]
-fn a_sheet_slides_down_a_slope_as_coulomb_says() {
+/// Slides within `error` of Coulomb's law, holds within `creep` (m).
+fn assert_slides<S: Scalar, V: Solver<S> + Copy>(solver: V, substeps: u32, error: f64, creep: f64) {
     for (slope, friction) in [(0.3_f64, 0.1), (0.6, 0.5), (0.5, 0.0)] {
         let acceleration = 9.81 * (slope.sin() - friction * slope.cos());
         let expected = 0.5 * acceleration * 0.25;
-        let found = slid(slope, friction);
-        // first order: h·t·a/2
-        assert!((found - expected).abs() < 3e-3 * expected.max(0.1), "{found} instead of {expected}");
+        let found = slid::<S, V>(solver, substeps, slope, friction);
+        let bound = error * expected.max(0.1);
+        assert!((found - expected).abs() < bound, "{found} instead of {expected}, {substeps} substeps in {}", S::NAME);
     }
-    assert!(slid(0.3, 0.32).abs() < 1e-12, "held where tan(slope) < friction");
+    for friction in [0.32, 1.0] {
+        let found = slid::<S, V>(solver, substeps, 0.3, friction);
+        assert!(found.abs() < creep, "{found} m where tan(slope) < friction, {substeps} substeps in {}", S::NAME);
+    }
 }
 
 #[test]
-fn a_ball_that_moves_takes_the_sheet_along() {
-    let mut rig = Rig::<f64, _, 8, 8>::new(&free([0.0; 3]), Pace::new(0.02, 8), Xpbd).with_colliders(|units| {
+fn a_sheet_slides_down_a_slope_as_coulomb_says() {
+    // first order: h·t·a/2
+    assert_slides::<f64, _>(Xpbd, 32, 3e-3, 1e-12);
+    for substeps in [1, 8, 32] {
+        assert_slides::<f64, _>(Lines::new(), substeps, 1e-6, 1e-12);
+        assert_slides::<f32, _>(Lines::new(), substeps, 1e-3, 1e-6);
+        assert_slides::<Q24, _>(Lines::new(), substeps, 1e-2, 1e-6);
+    }
+}
+
+/// How far a sheet that falls half a metre on the ground comes up again, m, wherever in a substep it meets the ground.
+fn thrown_back<S: Scalar, V: Solver<S> + Copy>(solver: V, substeps: u32) -> f64 {
+    let mut highest = 0.0_f64;
+    for step in 0..12 {
+        let ground = -0.5 - 0.002 * f64::from(step);
+        let plane = |units: &Units| {
+            let up = Vec3::new(S::ZERO, S::ZERO, S::ONE);
+            Plane::<S>::new(units.point([0.0, 0.0, ground]), up, Length(0.0))
+        };
+        let mut rig = Rig::<S, _, 8, 8>::new(&free(GRAVITY), Pace::new(0.02, substeps), solver).with_colliders(plane);
+        rig.run(20);
+        for _ in 0..30 {
+            rig.step();
+            highest = rig.state().position.iter().map(|x| x[2] - ground).fold(highest, f64::max);
+        }
+    }
+    highest
+}
+
+#[test]
+fn the_ground_throws_nothing_back() {
+    fn check<S: Scalar>() {
+        for substeps in [1, 8, 64] {
+            let found = [thrown_back::<S, _>(Lines::new(), substeps), thrown_back::<S, _>(Xpbd, substeps)];
+            assert!(
+                found.into_iter().all(|height| height < 1e-6),
+                "{found:?} m with {substeps} substeps in {}",
+                S::NAME
+            );
+        }
+    }
+    check::<f32>();
+    check::<f64>();
+    check::<Q24>();
+    check::<Q13>();
+}
+
+/// Where a sheet lies on a rod after 0.6 s.
+fn on_a_rod<V: Solver<f64>>(solver: V, substeps: u32) -> Vec<[f64; 3]> {
+    let rod = |units: &Units| {
+        let ends = [[-0.6, 0.1, -0.3], [0.7, 0.0, -0.25]].map(|end| units.point(end));
+        Capsule::new(ends[0], ends[1], units.length(0.15), units.length(0.02)).with_friction(0.3)
+    };
+    let model = Model { drag: 1.0, ..free(GRAVITY) };
+    let mut rig = Rig::<f64, _, 8, 8>::new(&model, Pace::new(0.02, substeps), solver).with_colliders(rod);
+    rig.run(30);
+    rig.state().position
+}
+
+#[test]
+fn contacts_converge() {
+    let exact = on_a_rod(Leapfrog, 2048);
+    let errors = [16, 64, 256].map(|substeps| {
+        let found = on_a_rod(Lines::<6>::default(), substeps);
+        let apart = found.iter().flatten().zip(exact.iter().flatten()).map(|(a, b)| (a - b).powi(2));
+        (apart.sum::<f64>() / 64.0).sqrt()
+    });
+    println!("{errors:?}");
+    assert!(errors[0] < 3e-3 && errors[1] < 0.5 * errors[0] && errors[2] < 0.5 * errors[1], "{errors:?}");
+}
+
+fn assert_taken_along<V: Solver<f64>>(solver: V) {
+    let mut rig = Rig::<f64, _, 8, 8>::new(&free([0.0; 3]), Pace::new(0.02, 8), solver).with_colliders(|units| {
         Sphere::new(units.point([0.0, 0.0, -0.4]), units.length(0.3), units.length(0.02))
             .with_velocity(units.velocity([0.0, 0.0, 1.0]))
     });
@@ -98,4 +174,10 @@ fn a_ball_that_moves_takes_the_sheet_along() {
     }
     let lifted = rig.state().position.iter().map(|x| x[2]).fold(f64::MAX, f64::min);
     assert!(lifted > 0.3, "the lowest particle is at {lifted} m");
+}
+
+#[test]
+fn a_ball_that_moves_takes_the_sheet_along() {
+    assert_taken_along(Xpbd);
+    assert_taken_along(Lines::new());
 }

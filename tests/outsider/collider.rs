@@ -1,5 +1,6 @@
 //! An outsider's collider: a bowl, the inside of a sphere.
 
+use kerchief::collider::Contact;
 use kerchief::{Cloth, Collider, Gravity, Moment, Q24, Scalar, Scene, Units, Vec3, Xpbd, measure};
 
 struct Bowl<S> {
@@ -8,11 +9,11 @@ struct Bowl<S> {
 }
 
 impl<S: Scalar> Collider<S> for Bowl<S> {
-    fn contact(&self, _moment: Moment, position: Vec3<S>, _moved: Vec3<S>) -> Option<Vec3<S>> {
+    fn contact(&self, _moment: Moment, position: Vec3<S>, _moved: Vec3<S>) -> Option<Contact<S>> {
         let squared = position.squared();
         (squared > self.radius.product(self.radius)).then(|| {
-            let excess = S::root(squared) - self.radius;
-            -position.map(|component| component.divide(S::root(squared))) * excess
+            let distance = S::root(squared);
+            Contact::smooth(-position.map(|component| component.divide(distance)), distance - self.radius)
         })
     }
 }

@@ -37,8 +37,8 @@ impl<S: Scalar> Solver<S> for SemiImplicitEuler {
                 particles.velocity.add(node, gain.at(node) * particles.inverse_mass[node] + physics.forces.uniform());
                 particles.position.add(node, moment.displacement(particles.velocity.at(node)));
                 let moved = moment.displacement(particles.velocity.at(node));
-                if let Some(by) = physics.colliders.contact(moment, particles.position.at(node), moved) {
-                    particles.displace(node, by, moment);
+                if let Some(contact) = physics.colliders.contact(moment, particles.position.at(node), moved) {
+                    particles.displace(node, contact.by, moment);
                 }
             }
         }

@@ -127,8 +127,8 @@ impl Kernel for Exact {
     }
 
     #[inline]
-    fn scaled(a: i32, ratio: i32) -> i32 {
-        Self::multiply(a, ratio)
+    fn scaled(a: i32, ratio: i32, rounding: Rounding) -> i32 {
+        product::rounded(a, ratio, rounding)
     }
 
     #[inline]

@@ -17,7 +17,7 @@ pub trait Kernel: Copy + Debug + Default + Ord + Hash + 'static {
     fn multiply(a: i32, b: i32) -> i32;
 
     /// A product with `|ratio| ≤ 1`.
-    fn scaled(a: i32, ratio: i32) -> i32;
+    fn scaled(a: i32, ratio: i32, rounding: Rounding) -> i32;
 
     /// `1/x` for x > 0.
     fn reciprocal(x: i32) -> i32;

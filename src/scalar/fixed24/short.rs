@@ -101,9 +101,9 @@ impl Kernel for Short {
 
     /// To 14 fraction bits of the ratio: two products, where [`multiply`](Self::multiply) has four.
     #[inline(always)]
-    fn scaled(a: i32, ratio: i32) -> i32 {
+    fn scaled(a: i32, ratio: i32, rounding: Rounding) -> i32 {
         let ratio = shift(ratio, 10);
-        times(a >> 16, ratio).wrapping_shl(2).wrapping_add(shift(times(a & 0xffff, ratio), 14))
+        times(a >> 16, ratio).wrapping_shl(2).wrapping_add(rounded(times(a & 0xffff, ratio), 14, rounding))
     }
 
     /// Right to 5·10⁻⁵.
@@ -181,9 +181,9 @@ mod tests {
         for (a, ratio) in some(40_000).zip(some(50_001).skip(10_001)) {
             let ratio = ratio % (ONE + 1);
             let expected = f64::from(a) * f64::from(ratio) / f64::from(ONE);
-            let error = (f64::from(Short::scaled(a, ratio)) - expected).abs();
+            let error = (f64::from(Short::scaled(a, ratio, Rounding::NEAREST)) - expected).abs();
             assert!(error <= 0.51 + f64::from(a).abs() / f64::from(1 << 15), "{a} · {ratio}");
-            assert_eq!(Short::scaled(a, ONE), a);
+            assert_eq!(Short::scaled(a, ONE, Rounding::NEAREST), a);
         }
     }
 

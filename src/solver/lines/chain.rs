@@ -92,6 +92,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     fn row<const ORDINARY: bool>(&self, particles: &mut Particles<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
         let Quotient { dividend, divisor } = self.strength;
         let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
+        let rounding = self.moment.rounding();
         let (links, middle) = (W - 1, (W - 1) / 2);
         let x = &particles.position.0[row];
         let w = particles.inverse_mass.0[row].map(|w| heavy.scaled(w));
@@ -167,7 +168,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut pull = Vec3::row(Vec3::ZERO);
         for k in 0..W {
             tension[k] += change[k];
-            pull.set(k, normal.at(k).of_length(change[k].scaled(dividend)));
+            pull.set(k, normal.at(k).of_length(change[k].scaled(dividend), rounding));
         }
         let before = behind::<1, S, W>(&pull);
         displace_row(
@@ -238,6 +239,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
         let Quotient { dividend, divisor } = self.strength;
         let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
+        let rounding = self.moment.rounding();
         let mut normals = [Vec3::<[S; N]>::row(Vec3::ZERO); H];
         let mut factors = [[S::ZERO; N]; H];
         let mut changes = [[S::ZERO; N]; H];
@@ -278,7 +280,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 change[lane] = changes[link_above][lane] + times::<ORDINARY, S>(change[lane], factors[row][lane]);
                 changes[link_above][lane] = change[lane];
                 most[lane] = most[lane].max(change[lane]);
-                pull.set(lane, normals[link_above].at(lane).of_length(change[lane].scaled(dividend)));
+                pull.set(lane, normals[link_above].at(lane).of_length(change[lane].scaled(dividend), rounding));
             }
             let tension = &mut tension.0[link_above];
             for lane in 0..N {

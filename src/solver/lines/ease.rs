@@ -9,7 +9,7 @@
 //!
 //! the geometric stiffness of the links (M. Tournier and others, *Stable constrained dynamics*, 2015). What moves a particle along its chain stays as it is.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Rounding, Scalar};
 use crate::vec3::Vec3;
 
 use super::heavy::Heavy;
@@ -39,7 +39,7 @@ pub(super) fn ease<S: Scalar, const M: usize>(
         let w = inverse_mass[k];
         let last = k + 1 == M;
         let (after, force) = if last { (Vec3::ZERO, S::ZERO) } else { (normal.at(k), tension[k]) };
-        let next = after.of_length(force);
+        let next = after.of_length(force, Rounding::NEAREST);
         let moved = (next - pull) * w;
         let along = (after + direction).halve(1);
         let squared = along.dot(along);

@@ -210,13 +210,14 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         tension: &mut [S; W],
         change: impl Fn(usize, S, S) -> [S; 2],
     ) -> Vec3<[S; W]> {
+        let rounding = self.moment.rounding();
         let mut pull = Vec3::row(Vec3::ZERO);
         // no branches: so it can be done for four at once
         for column in links {
             let (excess, normal) = (y(column) - x.at(column)).direction(self.rest);
             let [by, after] = change(column, tension[column], excess);
             tension[column] = after;
-            pull.set(column, normal.of_length(by.scaled(self.strength.dividend)));
+            pull.set(column, normal.of_length(by.scaled(self.strength.dividend), rounding));
         }
         pull
     }

@@ -6,6 +6,7 @@ use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::ordinary::Ordinary;
+use crate::vec3::Vec3;
 
 use super::WARM;
 use super::chain::Chain;
@@ -52,6 +53,30 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         let heavy = Heavy::new(particles, &ordinary.rows);
         let (pass, met) = (Pass::Others, S::ZERO);
         Self { particles, tension, moment, softness, pass, first: true, slot: 0, met, ordinary, heavy }
+    }
+
+    /// In fixed point, whose sums are exact, sweeps move positions alone: what velocities have that is not the positions' is set aside in their place. (One by
+    /// one the velocities of corrections would be rounded, which pushes a sheet aside.)
+    pub(super) fn set_aside(&mut self) {
+        let moment = self.moment;
+        self.velocities(|velocity, position| velocity - moment.share(position));
+    }
+
+    /// Gives velocities what sweeps have added to them.
+    pub(super) fn complete(&mut self) {
+        let moment = self.moment;
+        self.velocities(|velocity, position| velocity + moment.share(position));
+    }
+
+    #[inline(always)]
+    fn velocities(&mut self, change: impl Fn(Vec3<S>, Vec3<S>) -> Vec3<S>) {
+        if !S::FLOATS {
+            for (position, velocity) in self.particles.position.0.iter().zip(&mut self.particles.velocity.0) {
+                for column in 0..W {
+                    velocity.set(column, change(velocity.at(column), position.at(column)));
+                }
+            }
+        }
     }
 
     /// Lets every link act with a part of its last multiplier.

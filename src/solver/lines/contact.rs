@@ -1,0 +1,64 @@
+//! Contacts in a rule of two steps.
+//!
+//! A particle that a surface has stopped must not go on as its history says: the rule takes (v − v₋)/3 of it along and would throw the particle back. So what a
+//! contact does to a velocity it does to the one before, too, as if the particle had been as slow all the time. In balance the contact then takes
+//! just what the other forces give, and stands for a force as all of them do.
+//!
+//! A particle is moved out by its depth d and stopped, as far as an acceleration that moved it by d within a substep can have made it fast: by 2·d/h. What
+//! comes in faster needs a substep or two, and none is thrown back. Friction is Coulomb's, of displacements and of velocities.
+
+use crate::collider::{Collider, Contact, touch};
+use crate::moment::Moment;
+use crate::particles::Particles;
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+use crate::vectors::Vectors;
+
+/// Moves every free particle out of `colliders`. The substep started at the positions `start` and velocities `earlier`; velocities are as `held`.
+#[inline]
+pub(super) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
+    colliders: &C,
+    particles: &mut Particles<S, W, H>,
+    start: &Vectors<S, W, H>,
+    earlier: &mut Vectors<S, W, H>,
+    moment: Moment,
+    aside: bool,
+) {
+    touch(
+        colliders,
+        particles,
+        moment,
+        |particles, node| particles.position.at(node) - start.at(node),
+        |particles, node, contact| {
+            let share = |position| if aside && !S::FLOATS { moment.share(position) } else { Vec3::ZERO };
+            let position = particles.position.at(node);
+            let velocity = particles.velocity.at(node) + share(position);
+            let by = impulse(&contact, velocity, moment);
+            let position = position + contact.by;
+            particles.position.set(node, position);
+            particles.velocity.set(node, velocity + by - share(position));
+            earlier.add(node, by);
+        },
+    );
+}
+
+/// By how much a contact changes a velocity.
+fn impulse<S: Scalar>(contact: &Contact<S>, velocity: Vec3<S>, moment: Moment) -> Vec3<S> {
+    let Contact { by, normal, depth, velocity: surface } = *contact;
+    let against = velocity - surface;
+    let approach = -against.dot(normal);
+    if approach <= S::ZERO {
+        return Vec3::ZERO;
+    }
+    // what is halved fits any number type
+    let shift = moment.shift + 1;
+    let stop = if approach.halve(shift) <= depth { approach } else { depth.double(shift) };
+    let back = by - normal * depth;
+    let length = back.length();
+    if length == S::ZERO {
+        return normal * stop;
+    }
+    let along = back.map(|component| component.divide(length));
+    let speed = (-against.dot(along)).max(S::ZERO);
+    normal * stop + along * speed.min(stop * length.divide(depth))
+}
