@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
+use std::time::{Duration, Instant};
 
 use kerchief::host::{Description, SHAPES, ScalarKind, Simulation, SolverKind, Wind, WindModel};
 use tempfile::TempDir;
@@ -172,6 +173,65 @@ fn a_full_disk_leaves_what_was_there() {
     }
 }
 
+/// Starts a run of many hours, and returns when it has written something beside its place.
+#[cfg(unix)]
+fn interrupted(command: &mut Command, room: &Path) -> std::process::Child {
+    let long = ["small.toml", "--csv", "--frames", "1000000", "--solver", "lines"];
+    let mut running = command.current_dir(room).args(long).spawn().unwrap();
+    let staged = || {
+        fs::read_dir(room.join("out")).unwrap().any(|entry| {
+            let entry = entry.unwrap();
+            entry.file_name().to_string_lossy().starts_with('.') && entry.metadata().unwrap().len() > 100_000
+        })
+    };
+    let start = Instant::now();
+    while !staged() {
+        assert!(start.elapsed().as_secs() < 60 && running.try_wait().unwrap().is_none(), "it writes nothing");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    running
+}
+
+/// Sends a signal, and returns the exit status if it ends the program.
+#[cfg(unix)]
+fn signal(running: &mut std::process::Child, signal: &str, patience: Duration) -> Option<std::process::ExitStatus> {
+    let sent = Command::new("sh").arg("-c").arg(format!("kill -{signal} {}", running.id())).status().unwrap();
+    assert!(sent.success(), "{signal}");
+    let start = Instant::now();
+    while start.elapsed() < patience {
+        if let Some(status) = running.try_wait().unwrap() {
+            return Some(status);
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    None
+}
+
+/// Interrupted in the middle of a run: what was there stays as it was, and nothing stands beside it.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_signal_leaves_what_was_there() {
+    let room = room();
+    let room = room.path();
+    succeeds(room, &["small.toml", "--csv"]);
+    let before = contents(&room.join("out"));
+    for name in ["INT", "TERM", "HUP"] {
+        // a test that was itself started to ignore the signal passes that on
+        let mut running = interrupted(Command::new("env").arg("--default-signal").arg(program().get_program()), room);
+        let status = signal(&mut running, name, Duration::from_secs(60));
+        let _ = running.kill();
+        assert_eq!(status.expect(name).code(), Some(130), "{name}");
+        assert!(contents(&room.join("out")) == before, "{name}: something else is there");
+    }
+
+    let nohup = ["-c", "trap '' HUP; exec \"$@\"", "sh"];
+    let mut running = interrupted(Command::new("sh").args(nohup).arg(program().get_program()), room);
+    let ignored = signal(&mut running, "HUP", Duration::from_millis(200));
+    running.kill().unwrap();
+    running.wait().unwrap();
+    assert_eq!(ignored, None, "as with nohup");
+}
+
 /// Killed in the middle of a run: the complete files of the run before stay complete.
 #[test]
 #[cfg(unix)]
@@ -180,20 +240,7 @@ fn an_interrupted_run_leaves_what_was_there() {
     let room = room.path();
     succeeds(room, &["small.toml", "--csv"]);
     let before = contents(&room.join("out"));
-    let long = ["small.toml", "--csv", "--frames", "1000000", "--solver", "lines"];
-    let mut running = program().current_dir(room).args(long).spawn().unwrap();
-    // until it has written something beside the old file
-    let staged = || {
-        fs::read_dir(room.join("out")).unwrap().any(|entry| {
-            let entry = entry.unwrap();
-            entry.file_name().to_string_lossy().starts_with('.') && entry.metadata().unwrap().len() > 100_000
-        })
-    };
-    let start = std::time::Instant::now();
-    while !staged() {
-        assert!(start.elapsed().as_secs() < 60 && running.try_wait().unwrap().is_none(), "it writes nothing");
-        std::thread::sleep(std::time::Duration::from_millis(5));
-    }
+    let mut running = interrupted(&mut program(), room);
     running.kill().unwrap();
     running.wait().unwrap();
     let mut after = contents(&room.join("out"));

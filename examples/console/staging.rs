@@ -1,10 +1,19 @@
 //! Files that appear whole or not at all.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
 use tempfile::{Builder, NamedTempFile};
+
+/// What a program ends with that a signal interrupts: as shells count it, 128 and the number of SIGINT.
+#[cfg(unix)]
+const INTERRUPTED: i32 = 130;
+
+/// Files that are not in their places yet.
+static STAGED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 /// A file written beside its place and moved there when it is complete; dropped before that, it leaves nothing.
 #[derive(Debug)]
@@ -20,7 +29,9 @@ impl Staged {
         builder.prefix(".").suffix(name);
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut staged = staged();
         let file = builder.tempfile_in(directory).map_err(|error| failed(directory, &error))?;
+        staged.insert(file.path().to_path_buf());
         Ok(Self { file: BufWriter::new(file), place: directory.join(name) })
     }
 
@@ -28,6 +39,8 @@ impl Staged {
     pub(crate) fn finish(self) -> Result<(), String> {
         let failed = |error: &io::Error| failed(&self.place, error);
         let file = self.file.into_inner().map_err(|error| failed(error.error()))?;
+        let mut staged = staged();
+        staged.remove(file.path());
         file.persist(&self.place).map(drop).map_err(|error| failed(&error.error))
     }
 
@@ -47,10 +60,51 @@ impl Write for Staged {
     }
 }
 
-/// Makes the directory `--out` and makes sure that files can be written there.
+/// Makes the directory `--out` and makes sure that files can be written there; from now on a signal that ends the program removes what is staged.
 pub(crate) fn prepare(directory: &Path) -> Result<(), String> {
+    static SIGNALS: Once = Once::new();
+    SIGNALS.call_once(clear_on_signals);
     fs::create_dir_all(directory).map_err(|error| format!("--out: {}", failed(directory, &error)))?;
     Staged::create(directory, "probe").map(drop).map_err(|error| format!("--out: {error}"))
+}
+
+fn staged() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    // A panic elsewhere does not leave half a set.
+    STAGED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A signal that ends the program drops nothing: a thread waits for it and removes what is staged.
+#[cfg(unix)]
+fn clear_on_signals() {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::iterator::Signals;
+
+    // Without it everything works but the tidying up.
+    let signals = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| !is_ignored(*signal));
+    let Ok(mut signals) = Signals::new(signals) else { return };
+    std::thread::spawn(move || {
+        if signals.forever().next().is_some() {
+            // Held to the end, so that nothing more is staged.
+            let staged = staged();
+            for file in &*staged {
+                // It may have been dropped.
+                let _ = fs::remove_file(file);
+            }
+            std::process::exit(INTERRUPTED);
+        }
+    });
+}
+
+#[cfg(not(unix))]
+fn clear_on_signals() {}
+
+/// Whether the program was started to ignore a signal, as `nohup` does, which must stay so. Only Linux tells.
+#[cfg(unix)]
+fn is_ignored(signal: i32) -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
 }
 
 fn failed(path: &Path, error: &io::Error) -> String {
