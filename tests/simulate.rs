@@ -173,6 +173,20 @@ fn a_full_disk_leaves_what_was_there() {
     }
 }
 
+/// A directory in the place of one file: none of the others is written.
+#[test]
+fn a_place_that_is_taken() {
+    let room = room();
+    let room = room.path();
+    for name in ["report.json", "positions.csv", "animation.gif", "frame-00005.png"] {
+        let out = format!("out-{name}");
+        fs::create_dir_all(room.join(&out).join(name)).unwrap();
+        let args = ["small.toml", "--csv", "--gif", "--png", "--every", "5", "--out", &out];
+        refuses(room, &args, &format!("{out}/{name}: is a directory"));
+        assert_eq!(names(&room.join(&out)), [name], "nothing beside it");
+    }
+}
+
 /// Starts a run of many hours, and returns when it has written something beside its place.
 #[cfg(unix)]
 fn interrupted(command: &mut Command, room: &Path) -> std::process::Child {

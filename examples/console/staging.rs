@@ -6,7 +6,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
-use tempfile::{Builder, NamedTempFile};
+use tempfile::{Builder, NamedTempFile, TempPath};
 
 /// What a program ends with that a signal interrupts: as shells count it, 128 and the number of SIGINT.
 #[cfg(unix)]
@@ -23,8 +23,12 @@ pub(crate) struct Staged {
 }
 
 impl Staged {
-    /// Opens the file that will stand in `directory` under `name`.
+    /// Opens the file that will stand in `directory` under `name`; no directory may have its place.
     pub(crate) fn create(directory: &Path, name: &str) -> Result<Self, String> {
+        let place = directory.join(name);
+        if place.symlink_metadata().is_ok_and(|found| found.is_dir()) {
+            return Err(failed(&place, &io::ErrorKind::IsADirectory.into()));
+        }
         let mut builder = Builder::new();
         builder.prefix(".").suffix(name);
         #[cfg(unix)]
@@ -32,22 +36,41 @@ impl Staged {
         let mut staged = staged();
         let file = builder.tempfile_in(directory).map_err(|error| failed(directory, &error))?;
         staged.insert(file.path().to_path_buf());
-        Ok(Self { file: BufWriter::new(file), place: directory.join(name) })
+        Ok(Self { file: BufWriter::new(file), place })
+    }
+
+    /// Writes what is left and closes the file.
+    pub(crate) fn complete(self) -> Result<Complete, String> {
+        let file = self.file.into_inner().map_err(|error| failed(&self.place, error.error()))?;
+        Ok(Complete { file: file.into_temp_path(), place: self.place })
     }
 
     /// Moves the file to its place.
     pub(crate) fn finish(self) -> Result<(), String> {
-        let failed = |error: &io::Error| failed(&self.place, error);
-        let file = self.file.into_inner().map_err(|error| failed(error.error()))?;
-        let mut staged = staged();
-        staged.remove(file.path());
-        file.persist(&self.place).map(drop).map_err(|error| failed(&error.error))
+        finish([self.complete()?])
     }
 
     /// `result`, with the file's name in its error.
     pub(crate) fn named<T, E: std::fmt::Display>(&self, result: Result<T, E>) -> Result<T, String> {
         result.map_err(|error| format!("{}: {error}", self.place.display()))
     }
+}
+
+/// A file with everything in it, which still stands beside its place.
+#[derive(Debug)]
+pub(crate) struct Complete {
+    file: TempPath,
+    place: PathBuf,
+}
+
+/// Moves files that belong together to their places. All of them are complete, or a full disk would leave some without the others.
+pub(crate) fn finish(files: impl IntoIterator<Item = Complete>) -> Result<(), String> {
+    // A signal waits for the last one.
+    let mut staged = staged();
+    files.into_iter().try_for_each(|Complete { file, place }| {
+        staged.remove(&*file);
+        file.persist(&place).map_err(|error| failed(&place, &error.error))
+    })
 }
 
 impl Write for Staged {

@@ -20,7 +20,7 @@ use kerchief::host::{BUILT_IN, Still};
 
 use args::Args;
 use console::progress;
-use console::staging::{self, Staged};
+use console::staging::{self, Complete, Staged};
 use pictures::Album;
 use report::Watch;
 
@@ -40,6 +40,8 @@ fn run(args: &Args) -> Result<(), String> {
     let mut simulation = scene.simulation(args.scalar).map_err(|error| format!("{}: {error}", args.scene))?;
     staging::prepare(&args.out)?;
     let mut album = (args.animation() || args.png).then(|| Album::new(&scene));
+    // Before anything is computed, because its place may be taken.
+    let mut report_file = Staged::create(&args.out, "report.json")?;
     let mut positions = args.csv.then(|| Positions::create(&args.out)).transpose()?;
     let mut record = |frame, still: Still| {
         if let Some(positions) = &mut positions {
@@ -66,26 +68,27 @@ fn run(args: &Args) -> Result<(), String> {
     bar.finish_and_clear();
     let report = watch.report(&*simulation, &scene, args.scalar);
 
+    let mut files = Vec::new();
     if let Some(album) = album {
         if args.animation() {
             let bar = progress("pictures", 0);
-            album.write_animation(&args.out, &bar)?;
+            files.push(album.animation(&args.out, &bar)?);
             bar.finish_and_clear();
         }
         if args.png {
             let bar = progress("pictures", 0);
-            album.write_pictures(&args.out, &bar)?;
+            files.extend(album.pictures(&args.out, &bar)?);
             bar.finish_and_clear();
         }
     }
     if let Some(positions) = positions {
-        positions.finish()?;
+        files.push(positions.complete()?);
     }
-    let mut file = Staged::create(&args.out, "report.json")?;
     let json = serde_json::to_string_pretty(&report).map_err(|error| error.to_string())?;
-    let written = writeln!(file, "{json}");
-    file.named(written)?;
-    file.finish()?;
+    let written = writeln!(report_file, "{json}");
+    report_file.named(written)?;
+    files.push(report_file.complete()?);
+    staging::finish(files)?;
     let _ = writeln!(io::stdout(), "{report}\nwritten to        {}", args.out.display());
     Ok(())
 }
@@ -110,9 +113,9 @@ impl Positions {
         self.0.get_ref().named(result)
     }
 
-    fn finish(mut self) -> Result<(), String> {
+    fn complete(mut self) -> Result<Complete, String> {
         let written = self.0.flush();
         self.0.get_ref().named(written)?;
-        self.0.into_inner().map_err(|error| error.to_string())?.finish()
+        self.0.into_inner().map_err(|error| error.to_string())?.complete()
     }
 }

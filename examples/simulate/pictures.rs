@@ -7,7 +7,7 @@ use kerchief::host::{Description, Still};
 use rayon::prelude::*;
 
 use crate::animation::{Animation, Palette};
-use crate::console::staging::Staged;
+use crate::console::staging::{Complete, Staged};
 use crate::studio::Studio;
 
 /// The side of a picture, pixels.
@@ -44,8 +44,8 @@ impl<'a> Album<'a> {
         Studio::new(self.scene, stills, SIDE)
     }
 
-    /// Writes `animation.gif`, which runs as fast as the scene.
-    pub(crate) fn write_animation(&self, directory: &Path, bar: &ProgressBar) -> Result<(), String> {
+    /// `animation.gif`, which runs as fast as the scene.
+    pub(crate) fn animation(&self, directory: &Path, bar: &ProgressBar) -> Result<Complete, String> {
         let studio = self.studio()?;
         let step = self.scene.solver.step;
         let mut shown: Vec<&(u32, Still)> = Vec::new();
@@ -75,20 +75,21 @@ impl<'a> Album<'a> {
             Ok::<_, gif::EncodingError>(())
         })();
         file.named(result)?;
-        file.finish()
+        file.complete()
     }
 
-    /// Writes `frame-NNNNN.png` for each moment.
-    pub(crate) fn write_pictures(&self, directory: &Path, bar: &ProgressBar) -> Result<(), String> {
+    /// `frame-NNNNN.png` for each moment.
+    pub(crate) fn pictures(&self, directory: &Path, bar: &ProgressBar) -> Result<Vec<Complete>, String> {
         let studio = self.studio()?;
         bar.set_length(self.stills.len() as u64);
-        self.stills.par_iter().try_for_each(|(frame, still)| {
+        let pictures = self.stills.par_iter().map(|(frame, still)| {
             let mut file = Staged::create(directory, &format!("frame-{frame:05}.png"))?;
             let encoder = image::codecs::png::PngEncoder::new(&mut file);
             let result = studio.picture(still).write_with_encoder(encoder);
             file.named(result)?;
             bar.inc(1);
-            file.finish()
-        })
+            file.complete()
+        });
+        pictures.collect()
     }
 }
