@@ -511,8 +511,14 @@ fn sheets_that_blow_up_are_reported_and_drawn() {
     fs::write(room.join("wild.toml"), SMALL.replace("stiffness = 100.0", "stiffness = 1e9")).unwrap();
     succeeds(room, &["wild.toml", "--solver", "forward-euler", "--frames", "50", "--png", "--every", "10"]);
     let report = fs::read_to_string(room.join("out/report.json")).unwrap();
-    assert!(report.contains("\"finite\": false"), "{report}");
     assert_eq!(names(&room.join("out")).len(), 7);
+    let report: BTreeMap<String, serde_json::Value> = serde_json::from_str(&report).unwrap();
+    assert_eq!(report["finite"], false);
+    for key in ["max_strain_motion", "max_strain_end"] {
+        for family in ["stretch", "shear"] {
+            assert!(report[key][family].is_null(), "{key}: {family} is undefined, not {}", report[key][family]);
+        }
+    }
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::time::Duration;
 use kerchief::host::{Description, ScalarKind, Simulation, Strain, Strains};
 use serde::Serialize;
 
-/// A number for each link family; nothing for a family that the scene does not have.
+/// A number for each link family; nothing for a family that the scene does not have. What is not finite is `null` in JSON.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub(crate) struct Families {
     stretch: Option<f64>,
@@ -20,8 +20,11 @@ impl Families {
         Self { stretch, shear, bend }
     }
 
+    /// Takes the larger of both for each family.
     fn raise(&mut self, other: &Self) {
-        let larger = |a: Option<f64>, b: Option<f64>| a.map_or(b, |a| b.map(|b| if b > a { b } else { a }));
+        // What was undefined once stays so: it compares with nothing.
+        let larger_of = |a: f64, b: f64| if a >= b || a.is_nan() { a } else { b };
+        let larger = |a: Option<f64>, b: Option<f64>| a.map_or(b, |a| b.map(|b| larger_of(a, b)));
         self.stretch = larger(self.stretch, other.stretch);
         self.shear = larger(self.shear, other.shear);
         self.bend = larger(self.bend, other.bend);

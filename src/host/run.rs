@@ -54,7 +54,7 @@ impl ScalarKind {
     }
 }
 
-/// Strain of one or all link families: `| |d|/L - 1 |` of a link.
+/// Strain of one or all link families: `| |d|/L - 1 |` of a link. Both numbers are NaN where that of a link is undefined.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Strain {
     /// The largest of all links.
@@ -302,5 +302,7 @@ fn scaled<S: Scalar>(vectors: &mut dyn Iterator<Item = Vec3<S>>, unit: f64) -> V
 
 fn strain<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, links: &impl Links<S>) -> Strain {
     let strain = measure::strain(cloth, links);
-    Strain { largest: strain.largest.to_f64(), rms: strain.rms.to_f64() }
+    let (largest, rms) = (strain.largest.to_f64(), strain.rms.to_f64());
+    // A comparison passes over links whose strain is undefined, the sum does not.
+    Strain { largest: if rms.is_nan() { rms } else { largest }, rms }
 }
