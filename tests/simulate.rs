@@ -451,6 +451,23 @@ fn a_sheet_at_rest_is_not_computed() {
     }
 }
 
+/// `sweeps` in a file counts instead of its `iterations`, but not instead of the option.
+#[test]
+fn the_command_line_overrides_the_file() {
+    let room = room();
+    let room = room.path();
+    fs::write(room.join("swept.toml"), SMALL.replace("substeps = 4", "substeps = 4\nsweeps = 1")).unwrap();
+    let digest = |scene: &str, iterations: &[&str]| {
+        succeeds(room, &[&[scene, "--solver", "lines", "--csv"], iterations].concat());
+        let text = fs::read_to_string(room.join("out/report.json")).unwrap();
+        let report: BTreeMap<String, serde_json::Value> = serde_json::from_str(&text).unwrap();
+        report["digest"].clone()
+    };
+    let three = digest("small.toml", &["--iterations", "3"]);
+    assert_ne!(digest("swept.toml", &[]), three);
+    assert_eq!(digest("swept.toml", &["--iterations", "3"]), three);
+}
+
 #[test]
 fn a_file_without_a_name_is_called_as_it_is() {
     let room = room();

@@ -62,7 +62,10 @@ impl Args {
         let solver = &mut scene.solver;
         solver.kind = self.solver.unwrap_or(solver.kind);
         solver.substeps = self.substeps.unwrap_or(solver.substeps);
-        solver.iterations = self.iterations.unwrap_or(solver.iterations);
+        if let Some(iterations) = self.iterations {
+            // The file's sweeps would count instead.
+            (solver.iterations, solver.sweeps) = (iterations, None);
+        }
         scene.frames = self.frames.unwrap_or(scene.frames);
     }
 }
