@@ -388,7 +388,10 @@ fn names_and_places_that_do_not_exist() {
 #[test]
 fn text_that_is_not_toml() {
     refused("name = \"x\"\n[cloth\ncolumns = 4\n", "line 2", "unclosed table");
-    refused("[cloth]\ncolumns = 4\ncolumns = 4\n", "line 3", "duplicate key");
+    refused("[cloth]\ncolumns = 4\ncolumns = 4\n", "line 3", "duplicate key `columns`");
+    refused("[cloth]\ncolumns = 4\n\n[cloth]\nrows = 4\n", "line 4", "duplicate key `cloth`");
+    refused("[environment]\nwind.model = \"facet\"\nwind = 4\n", "line 3", "duplicate key `wind`");
+    refused("wind = { model = 1, model = 2 }\n", "line 1", "duplicate key `model`");
     refused("[cloth]\nrows =\n", "line 2", "must be quoted");
     refused("# a comment\n\nrows 4\n", "line 3", "expected");
     refused("{\"json\": true}", "line 1", "expected");

@@ -36,9 +36,13 @@ impl SceneError {
     }
 
     pub(super) fn from_syntax(text: &str, error: &toml::de::Error) -> Self {
-        let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or_default();
-        let line = before.matches('\n').count() + 1;
-        Self::new(std::format!("line {line}"), error.message())
+        let span = error.span().unwrap_or_default();
+        let line = text.get(..span.start).unwrap_or_default().matches('\n').count() + 1;
+        let reason = match (error.message(), text.get(span)) {
+            (message @ "duplicate key", Some(key)) => std::format!("{message} `{key}`"),
+            (message, _) => message.to_string(),
+        };
+        Self::new(std::format!("line {line}"), reason)
     }
 }
 
