@@ -91,6 +91,7 @@ fn scenes_that_are_not_there() {
     refuses(room, &["flagg"], "no scene or file \"flagg\"; built-in scenes: gravity, sphere, wind, no-shear, flag");
     refuses(room, &["missing.toml"], "missing.toml: ");
     refuses(room, &["."], ".: ");
+    refuses(room, &["two\nlines.toml"], "two\\nlines.toml: ");
     fs::write(room.join("latin.toml"), b"name = \"caf\xe9\"\n").unwrap();
     refuses(room, &["latin.toml"], "latin.toml: ");
 }
@@ -136,6 +137,7 @@ fn options_that_are_wrong() {
         (&["small.toml", "--out"], "'--out <DIR>'"),
         (&["small.toml", "--out", "small.toml"], "--out: small.toml: "),
         (&["small.toml", "--out", "small.toml/out"], "--out: small.toml/out: "),
+        (&["small.toml", "--out", "small.toml/two\nlines"], "--out: small.toml/two\\nlines: "),
     ] {
         refuses(room, args, reason);
     }

@@ -18,7 +18,10 @@ use kerchief::host::{BuiltIn, Description, ScalarKind, SolverKind};
 pub(crate) fn exit(result: Result<(), String>) -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
-        Err(line) => {
+        Err(reason) => {
+            // Paths may hold line breaks.
+            let escape = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
+            let line: String = reason.chars().map(escape).collect();
             // Nobody left to tell is no reason to panic.
             let _ = writeln!(io::stderr(), "error: {line}");
             ExitCode::from(2)
