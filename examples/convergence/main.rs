@@ -33,7 +33,7 @@ struct Args {
     #[arg(default_values = ORDERS.iter().map(|scene| scene.name))]
     scenes: Vec<String>,
     /// Frames looked at; without, as many as the scene has
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     frames: Option<u32>,
     /// Solver steps per frame
     #[arg(long, value_name = "N,…", value_delimiter = ',', value_parser = value_parser!(u32).range(1..=i64::from(MOST)),
@@ -43,10 +43,10 @@ struct Args {
     #[arg(long, value_name = "SCENE", default_value = "two-corners-16")]
     energy_scene: String,
     /// How long its energy is watched, s
-    #[arg(long, value_name = "S", default_value_t = 4.0, value_parser = console::positive)]
+    #[arg(long, value_name = "S", allow_negative_numbers = true, default_value_t = 4.0, value_parser = console::positive)]
     seconds: f64,
     /// Solver steps per frame while it is; leapfrog takes sixteen times as many, because it is stable for small steps only
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = value_parser!(u32).range(1..=i64::from(MOST / 16)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 8, value_parser = value_parser!(u32).range(1..=i64::from(MOST / 16)))]
     energy_substeps: u32,
     /// Where the page, its plots and tables go
     #[arg(long, value_name = "DIR", default_value = "out/convergence")]

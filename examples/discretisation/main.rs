@@ -33,13 +33,13 @@ struct Args {
     #[arg(long, value_name = "N,…", value_delimiter = ',', value_parser = side, default_values_t = [8, 12, 16, 24, 32, 48, 64])]
     sides: Vec<usize>,
     /// Particles a side of the sheet whose properties change
-    #[arg(long, value_name = "N", value_parser = side, default_value_t = 24)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = side, default_value_t = 24)]
     side: usize,
     /// How long the sheet has to come to rest, s
-    #[arg(long, value_name = "S", value_parser = console::positive, default_value_t = 3.0)]
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = console::positive, default_value_t = 3.0)]
     seconds: f64,
     /// Solver steps per frame of 1/50 s
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = value_parser!(u32).range(1..=i64::from(MOST / 4)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 8, value_parser = value_parser!(u32).range(1..=i64::from(MOST / 4)))]
     substeps: u32,
     /// Where the page, its plots, pictures and tables go
     #[arg(long, value_name = "DIR", default_value = "out/discretisation")]

@@ -23,13 +23,13 @@ pub(crate) struct Args {
     #[arg(long, value_name = "KIND", value_parser = solver_kind())]
     pub(crate) solver: Option<SolverKind>,
     /// Solver steps per frame, instead of the scene's
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) substeps: Option<u32>,
     /// Relaxation sweeps per substep, instead of the scene's
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) iterations: Option<u32>,
     /// Number of frames, instead of the scene's
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) frames: Option<u32>,
     /// Where pictures and data go
     #[arg(long, value_name = "DIR", default_value = "out")]
@@ -44,7 +44,7 @@ pub(crate) struct Args {
     #[arg(long)]
     pub(crate) csv: bool,
     /// Record every Nth frame; the first and the last always
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 1, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) every: u32,
     /// Open a live window instead; needs the cargo feature `window`
     #[arg(long, conflicts_with_all = ["gif", "png", "csv"])]

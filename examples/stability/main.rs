@@ -31,10 +31,10 @@ struct Args {
     #[arg(long, value_name = "TYPE,…", value_delimiter = ',', value_parser = scalar_kind(), default_values = ScalarKind::ALL.map(ScalarKind::name))]
     scalars: Vec<ScalarKind>,
     /// Values along each axis of a map
-    #[arg(long, value_name = "N", default_value_t = 12, value_parser = value_parser!(u32).range(2..=99))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 12, value_parser = value_parser!(u32).range(2..=99))]
     points: u32,
     /// Solver steps of each run
-    #[arg(long, value_name = "N", default_value_t = 240, value_parser = value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 240, value_parser = value_parser!(u32).range(1..=100_000))]
     steps: u32,
     /// Where the page, its maps and tables go
     #[arg(long, value_name = "DIR", default_value = "out/stability")]

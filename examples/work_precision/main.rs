@@ -48,10 +48,10 @@ struct Args {
     tolerances: Vec<f64>,
     /// The most substeps × sweeps in a frame, a sweep of lines counting as 2 and a Newton step as 64; what has more is left out. Without, 256 in runs of 20 frames and
     /// accordingly fewer in longer ones
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     work: Option<u32>,
     /// How long the motion is looked at, s; without, as long as the scene runs but no longer than 2 s where position errors are measured
-    #[arg(long, value_name = "S", value_parser = positive)]
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = positive)]
     seconds: Option<f64>,
     /// How far the reference may be from its limit, sheet sizes
     #[arg(long, value_name = "X", default_value_t = 2e-6, value_parser = positive)]
