@@ -285,7 +285,12 @@ fn numbers_that_the_type_cannot_hold() {
     for (scalar, from, to, reason) in [
         ("q24", "origin = [-0.5, -0.5, 1.0]", "origin = [-0.5, 50.0, 1.0]", "cloth.origin: more than 128 cells"),
         ("f32", "origin = [-0.5, -0.5, 1.0]", "origin = [1e5, 0.0, 1.0]", "cloth.origin: more than"),
-        ("q24", "width = 1.0", "width = 0.01", "cloth.width: too large for q24"),
+        ("q24", "width = 1.0", "width = 0.01", "cloth.width: too small beside cloth.height for q24"),
+        ("q24", "width = 1.0", "width = 1e3", "cloth.height: too small beside cloth.width for q24"),
+        ("f32", "width = 1.0", "width = 1e308", "cloth.width: too large"),
+        ("f64", "density = 0.2", "mass = 1e308", "cloth.mass: too large"),
+        ("f32", "density = 0.2", "density = 1e-308", "cloth.density: too small"),
+        ("f32", "step = 0.02", "step = 1e19", "solver.step: too large"),
         ("q24", "gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, 1e9]", "environment.gravity: too large for q24"),
         ("q24", "gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, 1e-5]", "environment.gravity: too small for q24"),
         ("f32", "gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, 1e45]", "environment.gravity: too large for f32"),

@@ -18,6 +18,8 @@ use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::{Strength, Units};
 
+/// No sheet's size, mass or step is above this or below its inverse in SI units. Other quantities are measured by these, and would look like the fault.
+const EXTREME: f64 = 1e18;
 /// Pins that tethers may hold to.
 const ANCHORS: usize = 256;
 
@@ -59,11 +61,20 @@ impl Description {
     /// The units of its sheet.
     pub(super) fn units(&self) -> Result<Units, SceneError> {
         let sheet = &self.sheet;
-        let narrowest = [(sheet.width, sheet.columns), (sheet.height, sheet.rows)]
-            .map(|(extent, particles)| if particles > 1 { extent / (particles - 1) as f64 } else { f64::MAX });
-        for (side, key) in narrowest.into_iter().zip(["cloth.width", "cloth.height"]) {
-            if side < f64::MIN_POSITIVE {
-                return Err(SceneError::new(key, "too small: its cells have no extent"));
+        let mass_key = format!("cloth.{}", sheet.mass_key);
+        let measures = [
+            // A chain has no width.
+            ("cloth.width", if sheet.columns > 1 { sheet.width } else { sheet.height }),
+            ("cloth.height", sheet.height),
+            (&mass_key, sheet.mass),
+            ("solver.step", self.solver.step),
+        ];
+        for (key, measure) in measures {
+            if measure > EXTREME {
+                return Err(SceneError::new(key, format!("too large, above {EXTREME:e}")));
+            }
+            if measure < 1.0 / EXTREME {
+                return Err(SceneError::new(key, format!("too small, below {:e}", 1.0 / EXTREME)));
             }
         }
         let (particles, size) = ([sheet.columns, sheet.rows], [sheet.width, sheet.height]);
@@ -76,11 +87,12 @@ impl Description {
         units: &Units,
     ) -> Result<Cloth<S, W, H>, SceneError> {
         let sheet = &self.sheet;
-        for (side, (count, key)) in units.sides.into_iter().zip([(W, "cloth.width"), (H, "cloth.height")]) {
-            if count > 1 {
-                Fit::<S>::number(key, side)?;
-                // Links count with the inverse square of their rest length.
-                Fit::<S>::number(key, 1.0 / (side * side))?;
+        let [width, height] = ["cloth.width", "cloth.height"];
+        for (side, (count, key, other)) in units.sides.into_iter().zip([(W, width, height), (H, height, width)]) {
+            // Links count with the inverse square of their rest length.
+            let numbers = [side, 1.0 / (side * side)];
+            if count > 1 && numbers.into_iter().any(|number| Fit::<S>::number(key, number).is_err()) {
+                return Err(SceneError::new(key, format!("too small beside {other} for {}", S::NAME)));
             }
         }
         let origin = units.point(sheet.origin);

@@ -42,6 +42,6 @@ impl<S: Scalar> Fit<S> {
     }
 
     fn error(key: impl Into<String>, reason: &str) -> SceneError {
-        SceneError::new(key, format!("{reason} for {} in this cell size and step", S::NAME))
+        SceneError::new(key, format!("{reason} for {} in this cell size, mass and step", S::NAME))
     }
 }
