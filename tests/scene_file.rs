@@ -261,15 +261,28 @@ fn wrong_types() {
         ("gravity = [0.0, 0.0, -9.81]", "gravity = [0, 0, 0, -9.81]", "environment.gravity", "invalid length 4"),
         ("gravity = [0.0, 0.0, -9.81]", "gravity = [0, 0, \"g\"]", "environment.gravity[2]", "expected a number"),
         ("pins = [[0, 0], [23, 15], [0, 0]]", "pins = 3", "cloth.pins", "expected a list of [column, row] or one of"),
-        ("[23, 15]", "[23, 1.5]", "cloth.pins[1][1]", "invalid type: floating point `1.5`"),
+        ("[23, 15]", "[23, 1.5]", "cloth.pins[1][1]", "invalid type: floating point `1.5`, expected a whole number"),
+        ("[23, 15]", "3", "cloth.pins[1]", "invalid type: integer `3`, expected a list"),
+        ("name = \"good\"", "name = [5]", "name", "invalid type: list, expected a string"),
+        ("name = \"good\"", "name = { a = 5 }", "name", "invalid type: table, expected a string"),
+        (
+            "rows = 16",
+            "rows = 18446744073709551616",
+            "cloth.rows",
+            "invalid type: integer `18446744073709551616`, expected a whole number",
+        ),
         ("stiffness = 100.0", "stiffness = [100.0]", "stretch.stiffness", "expected a number"),
         ("substeps = 8", "substeps = [8]", "solver.substeps", "expected a whole number"),
-        ("kind = \"leapfrog\"", "kind = 4", "solver.kind", "wanted string"),
+        ("kind = \"leapfrog\"", "kind = 4", "solver.kind", "expected a string"),
         ("velocity = [5, 0, -3], ", "velocity = \"west\", ", "environment.wind.velocity", "expected three numbers"),
     ]);
     refused("cloth = 4\n", "cloth", "invalid type: integer `4`, expected a table");
     refused("stretch = [100.0, 1.0]\n", "stretch", "expected a table");
-    refused("[cloth]\ncolumns = 4\nrows = 4\nwidth = 1\nheight = 1\nmass = 1\n[sphere]\nradius = 1\n", "sphere", "map");
+    refused(
+        "[cloth]\ncolumns = 4\nrows = 4\nwidth = 1\nheight = 1\nmass = 1\n[sphere]\nradius = 1\n",
+        "sphere",
+        "invalid type: table, expected a list",
+    );
 }
 
 #[test]

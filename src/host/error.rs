@@ -32,7 +32,7 @@ impl SceneError {
         if path == "." {
             return Self::from_syntax(text, error.inner());
         }
-        Self::new(path, message)
+        Self::new(path, plain(&message))
     }
 
     pub(super) fn from_syntax(text: &str, error: &toml::de::Error) -> Self {
@@ -44,6 +44,26 @@ impl SceneError {
         };
         Self::new(std::format!("line {line}"), reason)
     }
+}
+
+/// What was found and what is expected, in the words of a scene file instead of those of Rust.
+fn plain(message: &str) -> String {
+    let parts = message.strip_prefix("invalid type: ").and_then(|types| types.rsplit_once(", expected "));
+    let Some((found, expected)) = parts else {
+        return message.replace("wanted string or table", "expected a string");
+    };
+    let found = match found {
+        "map" => "table",
+        "sequence" => "list",
+        // An integer beyond 64 bits; a string ends with its quotes.
+        _ => found.trim_end_matches(" as i128"),
+    };
+    let expected = match expected {
+        "i64" => "a whole number",
+        "a sequence" => "a list",
+        _ => expected,
+    };
+    std::format!("invalid type: {found}, expected {expected}")
 }
 
 impl fmt::Display for SceneError {
