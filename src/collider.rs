@@ -56,13 +56,15 @@ pub struct Contact<S> {
     pub depth: S,
     /// The surface's velocity, cells per tick.
     pub velocity: Vec3<S>,
+    /// Coulomb's coefficient of friction.
+    pub friction: S,
 }
 
 impl<S: Scalar> Contact<S> {
     /// With a smooth surface at rest.
     #[inline]
     pub fn smooth(normal: Vec3<S>, depth: S) -> Self {
-        Self { by: normal * depth, normal, depth, velocity: Vec3::ZERO }
+        Self { by: normal * depth, normal, depth, velocity: Vec3::ZERO, friction: S::ZERO }
     }
 
     /// The same with a rough one, on which the particle `moved` in this substep: it moves back along the surface by at most `friction · depth`.
@@ -72,12 +74,16 @@ impl<S: Scalar> Contact<S> {
         if friction == S::ZERO {
             return self;
         }
-        let along = moved - self.normal * moved.dot(self.normal);
-        let length = along.length();
-        let grip = friction * self.depth;
-        let back = if length <= grip { along } else { along * grip.divide(length) };
-        Self { by: self.by - back, ..self }
+        Self { by: self.by - held_back(moved, self.normal, friction * self.depth), friction, ..self }
     }
+}
+
+/// What friction takes of a vector: all of it that is along the surface, but no more than the `grip`.
+#[inline]
+pub(crate) fn held_back<S: Scalar>(vector: Vec3<S>, normal: Vec3<S>, grip: S) -> Vec3<S> {
+    let along = vector - normal * vector.dot(normal);
+    let length = along.length();
+    if length <= grip { along } else { along * grip.divide(length) }
 }
 
 /// Moves every free particle out of `colliders`.

@@ -7,7 +7,7 @@
 //! A particle is moved out by its depth d and stopped, as far as an acceleration that moved it by d within a substep can have made it fast: by 2·d/h. What
 //! comes in faster needs a substep or two, and none is thrown back. Friction is Coulomb's, of displacements and of velocities.
 
-use crate::collider::{Collider, Contact, touch};
+use crate::collider::{Collider, Contact, held_back, touch};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -44,7 +44,7 @@ pub(super) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>
 
 /// By how much a contact changes a velocity.
 fn impulse<S: Scalar>(contact: &Contact<S>, velocity: Vec3<S>, moment: Moment) -> Vec3<S> {
-    let Contact { by, normal, depth, velocity: surface } = *contact;
+    let Contact { normal, depth, friction, velocity: surface, .. } = *contact;
     let against = velocity - surface;
     let approach = -against.dot(normal);
     if approach <= S::ZERO {
@@ -53,12 +53,8 @@ fn impulse<S: Scalar>(contact: &Contact<S>, velocity: Vec3<S>, moment: Moment) -
     // what is halved fits any number type
     let shift = moment.shift + 1;
     let stop = if approach.halve(shift) <= depth { approach } else { depth.double(shift) };
-    let back = by - normal * depth;
-    let length = back.length();
-    if length == S::ZERO {
+    if friction == S::ZERO {
         return normal * stop;
     }
-    let along = back.map(|component| component.divide(length));
-    let speed = (-against.dot(along)).max(S::ZERO);
-    normal * stop + along * speed.min(stop * length.divide(depth))
+    normal * stop - held_back(against, normal, friction * stop)
 }
