@@ -60,6 +60,8 @@ pub struct Row<'a, S, const W: usize> {
     pub position: &'a Vec3<[S; W]>,
     /// How fast they move, cells per tick.
     pub velocity: &'a Vec3<[S; W]>,
+    /// Their inverse masses, in that of an ordinary particle; zero for a pin.
+    pub inverse_mass: &'a [S; W],
 }
 
 /// The exact effect of a drag γ on a substep h: `v(h) = decay·v + gain·h·a` under a constant acceleration a.

@@ -90,6 +90,18 @@ impl<S: Scalar> Quotient<S> {
         self.dividend.divide(self.divisor + self.dividend * inverse_mass)
     }
 
+    /// `x · dividend` to the last place, as the dividend of a soft link is small. That of a stiff one is 1.
+    #[inline(always)]
+    pub(crate) fn times_dividend(self, x: S) -> S {
+        if !S::FLOATS && self.dividend == S::ONE { x } else { x * self.dividend }
+    }
+
+    /// `x · divisor` to the last place, as the divisor of a stiff link is small. That of a soft one is 1.
+    #[inline(always)]
+    pub(crate) fn times_divisor(self, x: S) -> S {
+        if !S::FLOATS && self.divisor == S::ONE { x } else { x * self.divisor }
+    }
+
     /// Takes the quotient in.
     pub(crate) fn fingerprint(self, print: &mut Fingerprint) {
         print.numbers([self.dividend, self.divisor]);

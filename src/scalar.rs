@@ -90,7 +90,7 @@ pub trait Scalar:
     /// A product rounded to nearest; saturates in fixed point.
     fn narrow(product: Self::Product) -> Self;
 
-    /// `self · ratio` for `|ratio| ≤ 1`.
+    /// `self · ratio` for `|ratio| ≤ 1`, right to a part of `self`: of a small ratio [`Q13`] keeps few digits.
     #[inline]
     #[must_use]
     fn scaled(self, ratio: Self) -> Self {

@@ -29,7 +29,7 @@ impl<S: Scalar> Force<S> for FacetWind<S> {
 
     #[inline]
     fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
-        triangles(rows, gains, |corners, _| {
+        triangles(rows, gains, |_, corners, _| {
             let n = normal(corners);
             n * over(n.dot(self.wind), n.length())
         });
@@ -43,9 +43,12 @@ impl<S: Scalar> Force<S> for FacetWind<S> {
 
 /// The part of its velocity through the air, as a power of ½, that a corner of mass 1 loses at most in a substep to a triangle with |n| = 1.
 ///
-/// Six triangles meet in a particle, three in one on an edge, of up to twice the inverse mass, two in one in a corner, of up to four times. All of them together,
-/// with up to [`LARGE`] times their area in a stretched sheet, bring it to rest in the air and don't overshoot. Without this bound the pressure, which grows with the square
-/// of the velocity and is taken at the start of a substep, would in a long one throw a light sheet back faster than it came, and faster still in the next.
+/// Six triangles meet in a particle. All of them together, with up to [`LARGE`] times their area in a stretched sheet, bring it to rest in the air and don't
+/// overshoot. Without this bound the pressure, which grows with the square of the velocity and is taken at the start of a substep, would in a long one throw a
+/// light sheet back faster than it came, and faster still in the next.
+///
+/// A cell whose lightest corner has an inverse mass w of more than 5/4 has 5/(64·w) instead, which for a particle inside the sheet adds up to 15/16 of its
+/// velocity in the air. The line solver, which extrapolates velocities, survives 4/3 of it.
 const MOST: u32 = 4;
 
 /// From which |n| on, cells², a triangle's part is bounded the more the larger it is.
@@ -75,15 +78,16 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
 
     #[inline]
     fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
-        let (third, most) = (S::ONE.divide(S::from_int(3)), S::ONE.halve(MOST));
-        let (large, most_times_large) = (S::from_int(LARGE), S::from_int(LARGE).halve(MOST));
-        triangles(rows, gains, |corners, [a, b, c]| {
+        let (third, large) = (S::ONE.divide(S::from_int(3)), S::from_int(LARGE));
+        let most = most(rows);
+        triangles(rows, gains, |cell, corners, [a, b, c]| {
             let n = normal(corners);
             // a third of each velocity, so that their sum stays in range
             let u = self.wind - (a * third + b * third + c * third);
             let length = n.length();
             let across = over(n.dot(u), length);
-            let most = if length > large { most_times_large.divide(length) } else { most };
+            let most = most[cell];
+            let most = if length > large { (large * most).divide(length) } else { most };
             n * ((self.pressure * across.abs()).min(most) * across)
         });
     }
@@ -93,6 +97,25 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
         print.vector(self.wind);
         print.number(self.pressure);
     }
+}
+
+/// The bound of each cell between two rows: see [`MOST`].
+#[inline]
+fn most<S: Scalar, const W: usize>(rows: [Row<'_, S, W>; 2]) -> [S; W] {
+    let light = S::ONE + S::ONE.halve(2);
+    let [most, most_times_light] = [S::ONE, light].map(|w| w.halve(MOST));
+    let [top, bottom] = rows.map(|row| row.inverse_mass);
+    let mut all = [most; W];
+    if top.iter().chain(bottom).any(|w| *w > light) {
+        for cell in 0..W {
+            let next = (cell + 1).min(W - 1);
+            let w = top[cell].max(top[next]).max(bottom[cell]).max(bottom[next]);
+            if w > light {
+                all[cell] = most_times_light.divide(w);
+            }
+        }
+    }
+    all
 }
 
 /// A quotient, zero for a triangle without area.
@@ -107,7 +130,7 @@ fn normal<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Vec3<S> {
     (b - a).cross(c - a)
 }
 
-/// Adds `gain(positions, velocities)` to the corners of both triangles of each cell between two rows.
+/// Adds `gain(cell, positions, velocities)` to the corners of both triangles of each cell between two rows.
 ///
 /// All cells at once and without a branch, so that a machine may compute four at a time: the row's first particles stand in for the corners of a cell beyond
 /// the last, whose gains are dropped.
@@ -115,7 +138,7 @@ fn normal<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Vec3<S> {
 fn triangles<S: Scalar, const W: usize>(
     [top, bottom]: [Row<'_, S, W>; 2],
     [upper, lower]: [&mut Vec3<[S; W]>; 2],
-    gain: impl Fn([Vec3<S>; 3], [Vec3<S>; 3]) -> Vec3<S>,
+    gain: impl Fn(usize, [Vec3<S>; 3], [Vec3<S>; 3]) -> Vec3<S>,
 ) {
     if W < 2 {
         return;
@@ -127,7 +150,8 @@ fn triangles<S: Scalar, const W: usize>(
     for cell in 0..W {
         let [p, s] = [top, bottom].map(|row| (row.position.at(cell), row.velocity.at(cell)));
         let [q, t] = [(q.at(cell), vq.at(cell)), (t.at(cell), vt.at(cell))];
-        let [one, two] = [[q, p, s], [t, q, s]].map(|corners| gain(corners.map(|(x, _)| x), corners.map(|(_, v)| v)));
+        let [one, two] =
+            [[q, p, s], [t, q, s]].map(|corners| gain(cell, corners.map(|(x, _)| x), corners.map(|(_, v)| v)));
         first.set(cell, one);
         second.set(cell, one + two);
     }

@@ -52,7 +52,11 @@ pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
 ) -> Vec3<[S; W]> {
     let mut below = Vec3::row(Vec3::ZERO);
     if F::FIELD {
-        let at = |row: usize| Row { position: &particles.position.0[row], velocity: &particles.velocity.0[row] };
+        let at = |row: usize| Row {
+            position: &particles.position.0[row],
+            velocity: &particles.velocity.0[row],
+            inverse_mass: &particles.inverse_mass.0[row],
+        };
         forces.particles(at(row), gain);
         if row + 1 < H {
             forces.cells([at(row), at(row + 1)], [gain, &mut below]);

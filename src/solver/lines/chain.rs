@@ -103,7 +103,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             let next = ahead::<1, S, W>(x);
             for k in columns::<1, 0, W>() {
                 let (excess, along) = (next(k) - x.at(k)).direction(self.rest);
-                residual[k] = excess - heavy.scaled(tension[k].scaled(divisor));
+                residual[k] = excess - heavy.scaled(self.strength.times_divisor(tension[k]));
                 normal.set(k, along);
             }
         }
@@ -168,7 +168,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut pull = Vec3::row(Vec3::ZERO);
         for k in 0..W {
             tension[k] += change[k];
-            pull.set(k, normal.at(k).of_length(change[k].scaled(dividend), rounding));
+            pull.set(k, normal.at(k).of_length(self.strength.times_dividend(change[k]), rounding));
         }
         let before = behind::<1, S, W>(&pull);
         displace_row(
@@ -185,7 +185,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             most = most.max(change[k]);
         }
         if self.is_taut(most, heavy) {
-            let by = ease(&normal, &change.map(|change| change.scaled(dividend)), &w, self.rest.inverse, heavy);
+            let by =
+                ease(&normal, &change.map(|change| self.strength.times_dividend(change)), &w, self.rest.inverse, heavy);
             displace_row(particles, row, |k| by.at(k), self.moment);
         }
         worst
@@ -252,7 +253,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 let column = first + lane;
                 let d = y.at(column) - x.at(column);
                 let (excess, normal) = d.direction(self.rest);
-                let residual = excess - heavy.scaled(tension.0[row][column].scaled(divisor));
+                let residual = excess - heavy.scaled(self.strength.times_divisor(tension.0[row][column]));
                 let coupling = before.at(lane).cosine(normal).scaled(dividend);
                 let (coupling, inverse_mass) = if ORDINARY {
                     (coupling, S::ONE + S::ONE)
@@ -280,7 +281,10 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 change[lane] = changes[link_above][lane] + times::<ORDINARY, S>(change[lane], factors[row][lane]);
                 changes[link_above][lane] = change[lane];
                 most[lane] = most[lane].max(change[lane]);
-                pull.set(lane, normals[link_above].at(lane).of_length(change[lane].scaled(dividend), rounding));
+                pull.set(
+                    lane,
+                    normals[link_above].at(lane).of_length(self.strength.times_dividend(change[lane]), rounding),
+                );
             }
             let tension = &mut tension.0[link_above];
             for lane in 0..N {
@@ -315,7 +319,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut tension = [S::ZERO; H];
         for row in 0..H {
             normal.set(row, normals[row].at(lane));
-            tension[row] = changes[row][lane].scaled(self.strength.dividend);
+            tension[row] = self.strength.times_dividend(changes[row][lane]);
         }
         let w = core::array::from_fn(|row| heavy.scaled(particles.inverse_mass.0[row][column]));
         let by = ease(&normal, &tension, &w, self.rest.inverse, heavy);

@@ -184,14 +184,14 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         if START {
             self.each(links, x, y, tension, |_, tension, _| [tension.scaled(warm); 2])
         } else {
-            let divisor = self.strength.divisor;
+            let strength = self.strength;
             match softness {
                 &Softness::Ordinary(softness) => self.each(links, x, y, tension, |_, tension, excess| {
-                    let change = (excess - tension.scaled(divisor)).scaled(softness);
+                    let change = (excess - strength.times_divisor(tension)).scaled(softness);
                     [change, tension + change]
                 }),
                 Softness::Any(softness) => self.each(links, x, y, tension, |column, tension, excess| {
-                    let missing = excess - self.heavy.scaled(tension.scaled(divisor));
+                    let missing = excess - self.heavy.scaled(strength.times_divisor(tension));
                     let softness = softness[column];
                     let change = if S::FLOATS { missing.divide(softness) } else { missing * softness };
                     [change, tension + change]
@@ -217,7 +217,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             let (excess, normal) = (y(column) - x.at(column)).direction(self.rest);
             let [by, after] = change(column, tension[column], excess);
             tension[column] = after;
-            pull.set(column, normal.of_length(by.scaled(self.strength.dividend), rounding));
+            pull.set(column, normal.of_length(self.strength.times_dividend(by), rounding));
         }
         pull
     }
