@@ -200,7 +200,9 @@ fn interrupted(command: &mut Command, room: &Path) -> std::process::Child {
     let staged = || {
         fs::read_dir(room.join("out")).unwrap().any(|entry| {
             let entry = entry.unwrap();
-            entry.file_name().to_string_lossy().starts_with('.') && entry.metadata().unwrap().len() > 100_000
+            // what it tries the place with may be gone again
+            entry.file_name().to_string_lossy().starts_with('.')
+                && entry.metadata().is_ok_and(|file| file.len() > 100_000)
         })
     };
     let start = Instant::now();

@@ -1,5 +1,5 @@
 //! The limit on the deformation rate (X. Provot, *Deformation constraints in a mass-spring model to describe rigid cloth behavior*,
-//! 1995): no link longer than `1 + limit` times its rest length after a step, at pins too.
+//! 1995): no link longer than `1 + limit` times its rest length after a step, at pins too. Only what a collider moves afterwards may be: it has the last word.
 
 use crate::fingerprint::Fingerprint;
 use crate::link::{Family, Links, Visitor, each};

@@ -2,8 +2,8 @@
 
 use kerchief::host::Counted;
 use kerchief::{
-    Bend, Cloth, Drag, FacetWind, Gravity, Lines, Node, Scalar, Scene, Shear, Solver, Sphere, Stretch, Units, Verlet,
-    measure,
+    Bend, Cloth, Drag, FacetWind, Gravity, Lines, Links, Node, Scalar, Scene, Shear, Solver, Sphere, StrainLimited,
+    Stretch, Units, Verlet, measure,
 };
 
 const SIDE: usize = 32;
@@ -39,35 +39,40 @@ impl Thesis {
         }
     }
 
-    fn play<V: Solver<Counted>>(self, solver: V, substeps: u32, frames: u32) -> Motion {
+    fn play<V: Solver<Counted>>(self, solver: V, substeps: u32, limit: Option<f64>) -> Motion {
         let units = Units::sheet([SIDE; 2], [10.0; 2], 1.0, FRAME, substeps);
-        let mut cloth = Cloth::<Counted, SIDE, SIDE>::lay(&units, units.point([-5.0, -5.0, 0.0]));
+        let stretch = Stretch::new(&units, units.stiffness(94_270.0));
+        match limit {
+            None => self.play_with(stretch, solver, &units),
+            Some(limit) => self.play_with(StrainLimited::new(stretch, Counted::from_f64(limit)), solver, &units),
+        }
+    }
+
+    fn play_with<L: Links<Counted>, V: Solver<Counted>>(self, stretch: L, solver: V, units: &Units) -> Motion {
+        let mut cloth = Cloth::<Counted, SIDE, SIDE>::lay(units, units.point([-5.0, -5.0, 0.0]));
         self.pins().into_iter().for_each(|[column, row]| cloth.pin(Node::new(column, row)));
         let wind = matches!(self, Self::Wind).then(|| FacetWind::new(units.facet_wind([5.0, 0.0, -3.0])));
         let gravity = Gravity::new(units.acceleration([0.0, 0.0, -9.81]));
         let forces = (gravity, Drag::new(units.verlet_damping(0.1)), wind);
-        let shear = Shear::new(&units, units.stiffness(9427.0));
-        let links = (
-            Stretch::new(&units, units.stiffness(94_270.0)),
-            (!matches!(self, Self::NoShear)).then_some(shear),
-            Bend::new(&units, units.stiffness(942.7)),
-        );
+        let shear = Shear::new(units, units.stiffness(9427.0));
+        let links =
+            (stretch, (!matches!(self, Self::NoShear)).then_some(shear), Bend::new(units, units.stiffness(942.7)));
         let ball: heapless::Vec<_, 1> =
             [Sphere::new(units.point([-1.0, -1.0, -7.0]), units.length(2.0), units.length(0.59))]
                 .into_iter()
                 .filter(|_| matches!(self, Self::Sphere | Self::NoShear))
                 .collect();
-        let scene = Scene::new(&units, forces, links, ball, solver);
+        let scene = Scene::new(units, forces, links, ball, solver);
         let mut memory = scene.memory();
         let mut strain = 0.0_f64;
         let mut operations = 0;
-        for _ in 0..frames {
+        for _ in 0..FRAMES {
             Counted::reset();
             scene.step(&mut cloth, &mut memory);
             operations += Counted::operations().total();
             strain = strain.max(measure::strain(&cloth, &scene.links.0).largest.to_f64());
         }
-        Motion { strain, operations: operations as f64 / f64::from(frames) / (SIDE * SIDE) as f64 }
+        Motion { strain, operations: operations as f64 / f64::from(FRAMES) / (SIDE * SIDE) as f64 }
     }
 }
 
@@ -76,32 +81,36 @@ struct Goal {
     scene: Thesis,
     /// What the springs themselves give: the strain with 64 substeps, which the long version (`KERCHIEF_LONG=1`) measures.
     springs: f64,
-    /// Substeps and the tolerance for which the line solver adds a tenth at most, and what they cost in frames of the thesis' method with its 15 sweeps.
+    /// Substeps, the tolerance and the limit on strains with which the line solver adds a tenth at most, and what they cost in frames of the thesis' method
+    /// with its 15 sweeps.
     substeps: u32,
     tolerance: f64,
+    limit: Option<f64>,
     cost: f64,
 }
 
+/// One sweep in a substep where a tolerance is 1.
 const GOALS: [Goal; 4] = [
-    Goal { scene: Thesis::Gravity, springs: 0.2539, substeps: 7, tolerance: 0.4, cost: 1.3 },
-    Goal { scene: Thesis::Sphere, springs: 0.1483, substeps: 8, tolerance: 0.6, cost: 0.9 },
-    Goal { scene: Thesis::Wind, springs: 0.0180, substeps: 1, tolerance: 0.15, cost: 0.25 },
-    Goal { scene: Thesis::NoShear, springs: 0.1682, substeps: 7, tolerance: 0.2, cost: 2.3 },
+    Goal { scene: Thesis::Gravity, springs: 0.2539, substeps: 5, tolerance: 1.0, limit: Some(0.34), cost: 0.75 },
+    Goal { scene: Thesis::Sphere, springs: 0.1483, substeps: 5, tolerance: 1.0, limit: Some(0.24), cost: 0.7 },
+    Goal { scene: Thesis::Wind, springs: 0.0180, substeps: 1, tolerance: 0.15, limit: None, cost: 0.25 },
+    Goal { scene: Thesis::NoShear, springs: 0.1682, substeps: 6, tolerance: 1.0, limit: Some(0.26), cost: 1.0 },
 ];
 
 #[test]
 fn the_thesis_scenes_are_not_super_elastic() {
     let lines = Lines::<6>::with_sweeps(2);
-    for Goal { scene, springs, substeps, tolerance, cost } in GOALS {
-        let usual = scene.play(lines, 8, FRAMES);
+    for Goal { scene, springs, substeps, tolerance, limit, cost } in GOALS {
+        let usual = scene.play(lines, 8, None);
         assert!(usual.strain < springs + 0.01, "{scene:?} with 8 substeps: {usual:?}");
-        let thesis = scene.play(Verlet { sweeps: 15 }, 1, FRAMES);
+        let thesis = scene.play(Verlet { sweeps: 15 }, 1, None);
         assert!(thesis.strain > springs + 0.3, "{scene:?} by the method of the thesis: {thesis:?}");
-        let cheap = scene.play(Lines::<6>::with_sweeps(1).within(tolerance), substeps, FRAMES);
+        let cheap = scene.play(Lines::<6>::with_sweeps(1).within(tolerance), substeps, limit);
+        println!("{scene:?}: springs {springs}, 15 sweeps {thesis:.3?}, line solver {cheap:.3?}");
         assert!(cheap.strain < springs + 0.1, "{scene:?} with {substeps} substeps: {cheap:?}");
         assert!(cheap.operations < cost * thesis.operations, "{scene:?}: {cheap:?} against {thesis:?}");
         if std::env::var_os("KERCHIEF_LONG").is_some() {
-            let fine = scene.play(lines, 64, FRAMES);
+            let fine = scene.play(lines, 64, None);
             assert!((fine.strain - springs).abs() < 5e-4, "{scene:?} with 64 substeps: {fine:?}");
         }
     }
