@@ -58,6 +58,7 @@ pub(crate) struct Report {
     max_strain_motion: Families,
     max_strain_end: Families,
     rms_strain_end: f64,
+    /// J; not finite where the number type holds a spring for rigid, since its divisor 1/κ rounds to zero.
     energy_start: f64,
     energy_end: f64,
     digest: u32,
