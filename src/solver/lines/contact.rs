@@ -14,7 +14,8 @@ use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-/// Moves every free particle out of `colliders`. The substep started at the positions `start` and velocities `earlier`; velocities are as `held`.
+/// Moves every free particle out of `colliders`. The substep started at the positions `start` and velocities `earlier`; in fixed point velocities may be set
+/// `aside`, as between the sweeps.
 #[inline]
 pub(super) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
     colliders: &C,
