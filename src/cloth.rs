@@ -94,7 +94,7 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     }
 
     /// Gives each particle the mass of its share of the cells: where an inner particle has mass 1, one on an edge has ½ and one in a
-    /// corner ¼.
+    /// corner ¼. It forgets hems and pins: share first.
     pub fn share_area(&mut self) {
         for node in Grid::<S, W, H>::nodes() {
             let halvings =

@@ -1,7 +1,7 @@
 //! What a sheet can't pass through: sphere, plane, capsule.
 //!
 //! A particle closer than the margin to a surface is moved out along the normal to exactly that distance; friction is Coulomb's
-//! coefficient on the displacement along the surface. `()` is nothing in the way; tuples, slices and arrays are all of their members.
+//! coefficient on the displacement along the surface. `()` is nothing in the way; a tuple, a slice or a `heapless::Vec` is all of its members.
 
 mod capsule;
 mod plane;
@@ -74,7 +74,7 @@ impl<S: Scalar> Contact<S> {
         if friction == S::ZERO {
             return self;
         }
-        Self { by: self.by - held_back(moved, self.normal, friction * self.depth), friction, ..self }
+        Self { by: self.by - held_back(moved, self.normal, S::narrow(friction.product(self.depth))), friction, ..self }
     }
 }
 

@@ -5,7 +5,7 @@ use crate::vec3::Vec3;
 
 /// A 32-bit hash of numbers, in the order in which they were added.
 ///
-/// A single number that changes always changes it; several that change at once leave it the same once in 2³² times.
+/// A single number of 32 bits that changes always changes it; several, or one of 64, that change at once leave it the same once in 2³² times.
 ///
 /// ```
 /// use kerchief::fingerprint::Fingerprint;

@@ -107,6 +107,34 @@ impl<S: Scalar> Quotient<S> {
         print.numbers([self.dividend, self.divisor]);
     }
 
+    /// The sum with another one.
+    pub(crate) fn plus(self, other: Self) -> Self {
+        let both = |a: Self, b: Self| {
+            // of the weaker one to the stronger one, to the last place
+            let ratio = if a.dividend == S::ONE && b.dividend == S::ONE {
+                a.divisor.divide(b.divisor)
+            } else if a.dividend == S::ONE {
+                b.dividend * a.divisor
+            } else if a.dividend == S::ZERO {
+                return b;
+            } else {
+                b.dividend.divide(a.dividend)
+            };
+            let times = S::ONE + ratio;
+            let [dividend, divisor] = [a.dividend, a.divisor];
+            if dividend * times > divisor {
+                Self { dividend: S::ONE, divisor: divisor.divide(dividend).divide(times) }
+            } else {
+                Self { dividend: dividend.divide(divisor) * times, divisor: S::ONE }
+            }
+        };
+        if self.divisor < other.divisor || self.dividend > other.dividend {
+            both(self, other)
+        } else {
+            both(other, self)
+        }
+    }
+
     /// κ times a factor up to 1. The larger of dividend and divisor is 1 again.
     #[must_use]
     pub fn scaled(self, factor: S) -> Self {

@@ -39,9 +39,9 @@ impl Moment {
         }
     }
 
-    /// What a velocity has of a position in fixed point: of two positions it differs by the velocity that belongs to their difference. It wraps.
+    /// What a velocity has of a position in fixed point, along an axis: of two positions it differs by the velocity that belongs to their difference. It wraps.
     #[inline]
-    pub(crate) fn share<S: Scalar>(self, position: Vec3<S>) -> Vec3<S> {
+    pub(crate) fn share<S: Scalar>(self, position: S) -> S {
         let whole = position.double(self.shift);
         match self.halves {
             2 => whole,

@@ -413,10 +413,10 @@ fn the_report_has_its_keys_in_order() {
     assert!(stdout.contains(&format!("{:#010x}", simulation.digest())), "{stdout}");
 }
 
-/// `[rest]` saves work, not truth: the sheet comes to the same end, and goes on when it is disturbed.
 /// Something that happens to a sheet at rest.
 type Disturb = fn(&mut dyn Simulation);
 
+/// `[rest]` saves work, not truth: the sheet comes to the same end, and goes on when it is disturbed.
 #[test]
 fn a_sheet_at_rest_is_not_computed() {
     let room = room();
@@ -512,6 +512,19 @@ fn a_plain_run_writes_an_animation_as_fast_as_the_scene() {
     assert_eq!(delays, [4, 4, 4, 4, 4, 100]);
     assert_eq!(changed[0], 540 * 540);
     assert!(changed[1..].iter().all(|count| (100..540 * 270).contains(count)), "{changed:?}");
+}
+
+#[test]
+fn an_animation_ends_with_the_end() {
+    let room = room();
+    let room = room.path();
+    succeeds(room, &["small.toml", "--frames", "9"]);
+    let mut decoder = gif::Decoder::new(fs::File::open(room.join("out/animation.gif")).unwrap()).unwrap();
+    let mut delays = Vec::new();
+    while let Some(frame) = decoder.read_next_frame().unwrap() {
+        delays.push(frame.delay);
+    }
+    assert_eq!(delays, [4, 4, 4, 6, 100]);
 }
 
 #[test]

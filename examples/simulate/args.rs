@@ -25,7 +25,7 @@ pub(crate) struct Args {
     /// Solver steps per frame, instead of the scene's
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) substeps: Option<u32>,
-    /// Relaxation sweeps per substep, instead of the scene's
+    /// Relaxation sweeps per substep (lines: pairs of sweeps; backward Euler: Newton steps), instead of the scene's
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) iterations: Option<u32>,
     /// Number of frames, instead of the scene's

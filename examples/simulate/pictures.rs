@@ -55,6 +55,13 @@ impl<'a> Album<'a> {
                 shown.push(moment);
             }
         }
+        // ends with the end, be it a little longer than the others before it
+        if let (Some(end), Some(last)) = (self.stills.last(), shown.last()) {
+            if end.0 > last.0 {
+                shown.truncate((shown.len() - 1).max(1));
+                shown.push(end);
+            }
+        }
         let samples: Vec<_> = shown.iter().step_by(shown.len().div_ceil(SAMPLES)).collect();
         let samples: Vec<_> = samples.par_iter().map(|(_, still)| studio.picture(still)).collect();
         let palette = Palette::of(&samples);

@@ -63,9 +63,9 @@ impl Description {
         let sheet = &self.sheet;
         let mass_key = format!("cloth.{}", sheet.mass_key);
         let measures = [
+            ("cloth.height", sheet.height),
             // A chain has no width.
             ("cloth.width", if sheet.columns > 1 { sheet.width } else { sheet.height }),
-            ("cloth.height", sheet.height),
             (&mass_key, sheet.mass),
             ("solver.step", self.solver.step),
         ];
@@ -113,7 +113,9 @@ impl Description {
         }
         if let Some(hem) = sheet.hem {
             cloth.hem(Fit::<S>::number("cloth.hem", hem)?);
-            Fit::<S>::number("cloth.hem", 4.0 / hem)?;
+            // the inverse masses at both ends of a link: of a corner and its neighbour if particles share the area
+            let most = if sheet.shares_area() { 4.0 + 2.0 } else { 2.0 };
+            Fit::<S>::number("cloth.hem", most / hem)?;
             Fit::<S>::number("cloth.hem", 1.0 / hem)?;
         }
         Ok(cloth)

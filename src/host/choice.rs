@@ -40,7 +40,7 @@ pub enum SolverKind {
     ForwardEuler,
     /// Implicit Euler.
     BackwardEuler,
-    /// Leapfrog (velocity Verlet).
+    /// Leapfrog (drift, kick, drift).
     Leapfrog,
     /// Extended position-based dynamics.
     Xpbd,

@@ -150,6 +150,7 @@ impl Description {
             let [a, b] = [capsule.a, capsule.b].map(|end| units.point(end));
             Fit::<S>::place(format!("{table}.a"), a.0)?;
             Fit::<S>::place(format!("{table}.b"), b.0)?;
+            Fit::<S>::vector(format!("{table}.b"), [0, 1, 2].map(|axis| b.0[axis] - a.0[axis]))?;
             let (radius, margin) = (units.length(capsule.radius), units.length(capsule.surface.margin));
             obstacles.push(Obstacle::Capsule(Capsule::new(a, b, radius, margin).with_friction(friction)));
         }

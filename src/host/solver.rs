@@ -18,7 +18,7 @@ use crate::solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Physics, Solve
 use crate::units::Units;
 
 /// Directions of links in a scene with every family.
-const DIRECTIONS: usize = 6;
+const DIRECTIONS: usize = 9;
 
 /// One of the core's solvers.
 #[derive(Clone, Copy, Debug)]
@@ -56,6 +56,7 @@ impl AnySolver {
             SolverKind::Leapfrog => Self::Leapfrog(Leapfrog),
             SolverKind::Xpbd => Self::Xpbd(Xpbd),
             SolverKind::Lines => {
+                Fit::<S>::number("solver.tolerance", scene.solver.tolerance)?;
                 let sweeps = scene.solver.sweeps.unwrap_or(2 * sweeps);
                 Self::Lines(Lines::with_sweeps(sweeps).within(scene.solver.tolerance))
             }

@@ -1,6 +1,8 @@
 //! The limit on the deformation rate (X. Provot, *Deformation constraints in a mass-spring model to describe rigid cloth behavior*,
 //! 1995): no link longer than `1 + limit` times its rest length after a step, at pins too. Only what a collider moves afterwards may be: it has the last word.
 
+use core::cmp::Ordering;
+
 use crate::fingerprint::Fingerprint;
 use crate::link::{Family, Links, Visitor, each};
 use crate::moment::Moment;
@@ -15,12 +17,12 @@ const MOST_SWEEPS: u32 = 1000;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StrainLimited<L, S> {
     links: L,
-    /// The square of the allowed stretch, 1 + limit.
+    /// The allowed stretch, 1 + limit.
     allowed: S,
 }
 
 impl<L, S: Scalar> StrainLimited<L, S> {
-    /// `links` with a largest strain of `limit` (no unit, positive, below 4).
+    /// `links` with a largest strain of `limit` (no unit, positive; fixed point holds up to 62).
     pub fn new(links: L, limit: S) -> Self {
         Self { links, allowed: S::ONE + limit }
     }
@@ -74,7 +76,8 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Shorten<'_, S, W,
         each::<ACROSS, DOWN, W, H>(|a, b| {
             let d = self.particles.position.at(b) - self.particles.position.at(a);
             let squared = d.squared();
-            if squared <= square {
+            // an edge that is undefined is no longer than anything
+            if squared.partial_cmp(&square) != Some(Ordering::Greater) {
                 return;
             }
             let inverse_mass = self.particles.inverse_mass[a] + self.particles.inverse_mass[b];

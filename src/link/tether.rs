@@ -41,7 +41,8 @@ impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
 
     fn confine<const W: usize, const H: usize>(&self, particles: &mut Particles<S, W, H>, moment: Moment) {
         for &anchor in &self.anchors {
-            if anchor.column >= W || anchor.row >= H {
+            // a pin that was let go holds nothing
+            if anchor.column >= W || anchor.row >= H || !particles.is_pinned(anchor) {
                 continue;
             }
             let pin = particles.position.at(anchor);

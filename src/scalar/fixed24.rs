@@ -189,7 +189,12 @@ impl<K: Kernel> Scalar for Fixed24<K> {
 
     #[inline]
     fn rate(self, halves: u32, shift: u32) -> Self {
-        self.times(halves as i32).double(shift).halve(1)
+        // in which only what is too large itself wraps
+        match (halves % 2, shift) {
+            (0, _) => self.times(halves as i32 / 2).double(shift),
+            (_, 0) => self.times(halves as i32 / 2) + self.halve(1),
+            _ => self.times(halves as i32).double(shift - 1),
+        }
     }
 
     #[inline]

@@ -221,7 +221,7 @@ fn clear_pins<S: Scalar, const W: usize, const H: usize>(
     });
 }
 
-/// min(1, 1/κ) over all families; rigid links count as the stiffest that the number type resolves well.
+/// min(1, 1/κ) over all families and dampers. Rigid ones count as a million, which single precision and fixed point still resolve.
 fn scale<S: Scalar, L: Links<S>>(links: &L) -> S {
     struct Stiffest<S>(S);
     impl<S: Scalar> Visitor<S> for Stiffest<S> {
@@ -231,6 +231,7 @@ fn scale<S: Scalar, L: Links<S>>(links: &L) -> S {
     }
     let mut stiffest = Stiffest(S::ONE);
     links.springs(&mut stiffest);
+    links.dampers(&mut stiffest);
     stiffest.0.max(S::from_f64(1e-6))
 }
 

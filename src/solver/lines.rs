@@ -8,6 +8,8 @@
 //! every substep. In the first substep, whose history is missing, links follow backward Euler, which once costs no order, and the other forces their
 //! acceleration at its start, so that free fall is exact.
 //!
+//! **Dampers** act on all velocities at once, by rows and columns, too ([`viscosity`]).
+//!
 //! **In space** a sweep relaxes the other families, then solves all rows, then all columns ([`chain`]); after each, particles are moved out of colliders. Rows and columns
 //! pull each other out of shape, so sweeps go on until a row is met whose links are within the tolerance: where the sheet swings two are enough, where it
 //! snaps taut more are spent; where their number [flickers](flicker), it is kept. The multipliers of rows and columns start from nothing: on a stiff sheet a
@@ -15,13 +17,13 @@
 
 mod chain;
 mod contact;
-mod damp;
 mod ease;
 mod flicker;
 mod heavy;
 mod pairs;
 mod predict;
 mod relax;
+mod viscosity;
 
 use crate::collider::Collider;
 use crate::force::Force;
@@ -34,14 +36,16 @@ use crate::solver::{Physics, Solver};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-use damp::{Act, Damp};
 use flicker::Flicker;
 use relax::Relax;
+use viscosity::{Axes, Pull};
 
 /// Second order in time, exact along rows and columns, stable for any stiffness and step: the solver for sheets that hardly stretch.
 ///
 /// `N` is the number of grids of multipliers that it remembers: one for each direction of links in the scene, in the order in which the scene names
-/// them, two for stretch, shear and bend each. Families beyond that start every substep from nothing, which costs accuracy only. At least two.
+/// them, two for stretch, shear and bend each. Families beyond that start every substep from nothing, which costs accuracy only; rows and columns, without which
+/// nothing holds, come first wherever they are named, so at least two. Where links may be [damped](crate::link::Damped) three more: 7 for stretch and shear, 9
+/// with bend.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lines<const N: usize = 4> {
     /// Sweeps in every substep, at least one. More make a substep more accurate; the order is 2 with any number.
@@ -152,13 +156,16 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         };
         let response = part.divide(S::ONE + part * physics.forces.drag().rate);
         let softness = part * response;
-        let damp = |particles: &mut Particles<S, W, H>, start: &Vectors<S, W, H>, act: Act| {
-            if L::DAMPED {
-                physics.links.dampers(&mut Damp { particles, start, moment, part, response, act });
+        let (tension, pull) = memory.tension.split_at_mut(N - const { spare::<S, L>(N) });
+        let mut viscous =
+            pull.first_chunk_mut().and_then(|pull| Some((Pull(pull), Axes::of(physics.links, response)?)));
+        let started = viscous.as_mut().map(|(pull, axes)| {
+            if memory.history == History::None {
+                pull.forget();
             }
-        };
-        damp(particles, &memory.earlier, Act::First);
-        let mut relax = Relax::new(particles, &mut memory.tension, moment, softness);
+            pull.damp(physics.links, particles, moment, part, axes)
+        });
+        let mut relax = Relax::new(particles, tension, moment, softness);
         relax.set_aside();
         if memory.history == History::Full {
             relax.start(physics.links);
@@ -183,16 +190,33 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             memory.flicker.release();
         }
         let rough = met > S::from_f64(ROUGH);
-        damp(particles, &memory.earlier, Act::Second);
         physics.links.confine(particles, moment);
         if let Some(start) = &start {
             contact::resolve(physics.colliders, particles, start, &mut memory.earlier, moment, false);
+        }
+        if let (Some((pull, axes)), Some(started)) = (&mut viscous, started) {
+            // springs of backward Euler pull for a whole substep, the others for two thirds
+            let share = if part == S::ONE { S::from_f64(2.0 / 3.0) } else { S::ONE };
+            pull.complete(physics.links, particles, started, axes, share);
         }
         memory.history = match (rough, first_order) {
             (true, _) => History::Rough,
             (false, true) => History::Velocity,
             (false, false) => History::Full,
         };
+    }
+}
+
+/// The grids that are not for multipliers.
+const fn spare<S: Scalar, L: Links<S>>(grids: usize) -> usize {
+    if L::DAMPED {
+        assert!(
+            grids >= 2 + viscosity::GRIDS,
+            "where links may be damped, three grids more are needed: `Lines::<7>::default()` for stretch and shear"
+        );
+        viscosity::GRIDS
+    } else {
+        0
     }
 }
 

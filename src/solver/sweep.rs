@@ -19,7 +19,7 @@ use crate::vec3::Vec3;
 pub(super) fn go<S: Scalar, L: Links<S>>(moment: Moment) -> impl Fn(Vec3<S>, Vec3<S>) -> [Vec3<S>; 2] {
     move |position, velocity| {
         let position = position + moment.displacement(velocity);
-        [position, if L::SPRINGS && !S::FLOATS { velocity - moment.share(position) } else { velocity }]
+        [position, if L::SPRINGS && !S::FLOATS { velocity - position.map(|x| moment.share(x)) } else { velocity }]
     }
 }
 
@@ -41,7 +41,7 @@ pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     if !S::FLOATS {
         for (position, velocity) in particles.position.0.iter().zip(&mut particles.velocity.0) {
             for column in 0..W {
-                velocity.set(column, velocity.at(column) + moment.share(position.at(column)));
+                velocity.set(column, velocity.at(column) + position.at(column).map(|x| moment.share(x)));
             }
         }
     }

@@ -3,7 +3,7 @@
 use kerchief::{Q24, Scalar};
 
 use crate::reference::Model;
-use crate::rig::scenes::{BREEZE, FACETS, chain, corners, curtain, flag};
+use crate::rig::scenes::{BREEZE, FACETS, chain, corners, curtain, flag, syrup};
 use crate::rig::{Method, Pace, largest_error, moved};
 
 /// Asserts that a method stays within `bound` of the sheet's size over 2 s.
@@ -32,4 +32,13 @@ fn the_line_solver_is_near_it_in_every_number_type() {
     assert_near::<Q24, 16, 16>(&corners(16), Method::Lines(2), 24, 1e-3);
     assert_near::<f32, 8, 8>(&flag(8, BREEZE), Method::Lines(2), 24, 2.5e-3);
     assert_near::<Q24, 8, 8>(&flag(8, BREEZE), Method::Lines(2), 24, 2.5e-3);
+}
+
+#[test]
+fn the_line_solver_is_near_it_with_strong_dampers() {
+    for substeps in [2, 8] {
+        assert_near::<f64, 16, 16>(&syrup(16), Method::LinesMindful, substeps, 1e-2 / f64::from(substeps));
+        assert_near::<f32, 16, 16>(&syrup(16), Method::LinesMindful, substeps, 1e-2 / f64::from(substeps));
+        assert_near::<Q24, 16, 16>(&syrup(16), Method::LinesMindful, substeps, 1e-2 / f64::from(substeps));
+    }
 }

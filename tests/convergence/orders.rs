@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::reference::{Model, State};
-use crate::rig::scenes::{BREEZE, FACETS, corners, flag};
+use crate::rig::scenes::{BREEZE, FACETS, corners, flag, syrup};
 use crate::rig::{Method, Pace, carried, largest_error, moved, tenths};
 
 const FIRST: Range<f64> = 0.85..1.15;
@@ -62,4 +62,25 @@ fn a_flag_in_aerodynamic_wind() {
 fn a_flag_that_its_pins_carry() {
     let model = flag(8, BREEZE);
     assert_orders(&model, &carried(&model, [1.0, -0.5, 0.4]), 10);
+}
+
+/// Dampers that are stronger than inertia within a substep: solvers that take them one by one would need many more.
+#[test]
+fn strong_dampers() {
+    let model = syrup(8);
+    let exact = model.ode().solve(&model.start(), &tenths(10), 1e-8);
+    // what passes over diagonals leave is of third order, and small where a substep has κ < 0.01 only
+    let second = 1.7..2.2;
+    for (method, expected, substeps) in
+        [(Method::LinesMindful, &second, 256), (Method::Lines(2), &second, 256), (Method::BackwardEuler, &FIRST, 16)]
+    {
+        let errors = [1, 2, 4].map(|times| {
+            let mut motion = moved::<f64, 8, 8>(&model, Pace::new(0.1, times * substeps), method);
+            largest_error(&model, &exact, 0.1, &mut *motion)
+        });
+        for pair in errors.windows(2) {
+            let order = (pair[0] / pair[1]).log2();
+            assert!(expected.contains(&order), "{method:?}: order {order:.2} from the errors {errors:?}");
+        }
+    }
 }

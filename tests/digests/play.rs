@@ -75,7 +75,7 @@ fn play<S: Scalar>(setup: &Setup, method: Method, frame: &mut dyn FnMut(u32)) ->
         Method::Verlet => run::<S, _>(setup, Verlet { sweeps: 3 }, &Pace { part: 1.5, substeps: 2, frames: 8 }, frame),
         Method::Leapfrog => run::<S, _>(setup, Leapfrog, &Pace { part: 1.0 / 16.0, substeps: 6, frames: 3 }, frame),
         Method::Xpbd => run::<S, _>(setup, Xpbd, &Pace { part: 1.5, substeps: 3, frames: 8 }, frame),
-        Method::Lines => run::<S, _>(setup, Lines::<6>::default(), &Pace { part: 1.5, substeps: 2, frames: 8 }, frame),
+        Method::Lines => run::<S, _>(setup, Lines::<9>::default(), &Pace { part: 1.5, substeps: 2, frames: 8 }, frame),
     }
 }
 

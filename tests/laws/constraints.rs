@@ -1,6 +1,9 @@
 //! Pins, the strain limit, tethers; one scene for many sheets.
 
-use kerchief::{Grid, Lines, Node, Q24, Scalar, StrainLimited, Tether, Verlet, Xpbd, measure};
+use kerchief::{
+    Bend, Cloth, Drag, Gravity, Grid, Lines, Node, Q24, Scalar, Scene, Shear, StrainLimited, Stretch, Tether, Units,
+    Vec3, Verlet, Xpbd, measure,
+};
 
 use crate::reference::Model;
 use crate::rig::scenes::corners;
@@ -9,7 +12,7 @@ use crate::rig::{Pace, Rig};
 #[test]
 fn a_moving_pin_arrives_where_it_was_told() {
     fn check<S: Scalar>(substeps: u32, bound: f64) {
-        let mut rig = Rig::<S, _, 8, 8>::new(&corners(8), Pace::new(0.1, substeps), Lines::new());
+        let mut rig = Rig::<S, _, 8, 8>::new(&corners(8), Pace::new(0.1, substeps), Lines::<7>::default());
         let node = Node::new(0, 0);
         for frame in 1..=20 {
             let t = 0.1 * f64::from(frame);
@@ -46,7 +49,7 @@ fn a_released_sheet_falls() {
 
 #[test]
 fn one_scene_moves_two_sheets_alike() {
-    let mut one = Rig::<Q24, _, 8, 8>::new(&corners(8), Pace::new(0.1, 8), Lines::new());
+    let mut one = Rig::<Q24, _, 8, 8>::new(&corners(8), Pace::new(0.1, 8), Lines::<7>::default());
     let mut second = (one.cloth, one.scene.memory());
     for _ in 0..20 {
         one.scene.step(&mut one.cloth, &mut one.memory);
@@ -110,5 +113,45 @@ fn no_particle_is_further_from_a_pin_than_its_tether() {
             let rest = ((node.column.abs_diff(15).pow(2) + node.row.pow(2)) as f64).sqrt();
             assert!(d <= 1.05 * rest + 1e-9, "{d} for {rest} at {node:?}");
         }
+    }
+}
+
+#[test]
+fn a_tether_to_a_pin_that_was_let_go_holds_nothing() {
+    let (corner, far) = (Node::new(0, 0), Node::new(7, 7));
+    let mut rig = Rig::<f64, _, 8, 8>::new(&corners(8), Pace::new(0.1, 4), Verlet { sweeps: 4 })
+        .with_links(|units, _| Tether::<f64, 1>::new(units, &[corner], 0.0).expect("one fits"));
+    rig.cloth.release(corner, 1.0);
+    rig.cloth.position.add(far, Vec3::from_f64([40.0, 0.0, 0.0]));
+    rig.step();
+    let apart = (rig.cloth.position.at(far) - rig.cloth.position.at(corner)).length();
+    assert!(apart > 30.0, "{apart} cells");
+}
+
+/// What holds a sheet together has its memory wherever a scene names it.
+#[test]
+fn the_order_of_families_does_not_matter() {
+    let units = Units::sheet([8, 8], [0.7, 0.7], 1e-3, 1.0 / 60.0, 2);
+    let mut cloth = Cloth::<f64, 8, 8>::hang(&units, units.point([0.0; 3]));
+    cloth.pin(Node::new(0, 0));
+    cloth.pin(Node::new(7, 0));
+    let forces = (Gravity::new(units.acceleration([0.0, 0.0, -9.81])), Drag::new(units.drag(3.0)));
+    let (stretch, shear, bend) = (
+        Stretch::new(&units, units.stiffness(1e3)),
+        Shear::new(&units, units.stiffness(10.0)),
+        Bend::new(&units, units.stiffness(1.0)),
+    );
+    let (mut usual, mut other) = (cloth, cloth);
+    let scene = Scene::new(&units, forces, (stretch, shear, bend), (), Lines::new());
+    let mut memory = scene.memory();
+    (0..300).for_each(|_| scene.step(&mut usual, &mut memory));
+    let scene = Scene::new(&units, forces, (bend, shear, stretch), (), Lines::new());
+    let mut memory = scene.memory();
+    (0..300).for_each(|_| scene.step(&mut other, &mut memory));
+    let strain = measure::strain(&other, &stretch).largest;
+    assert!(strain < 0.01, "{strain}");
+    for (a, b) in usual.position.values().zip(other.position.values()) {
+        // of one shear, of the other bend starts from nothing
+        assert!((a - b).length() < 0.05, "{a:?} and {b:?}");
     }
 }

@@ -7,5 +7,6 @@ mod rig;
 
 mod constraints;
 mod contact;
+mod dampers;
 mod falling;
 mod symmetry;

@@ -51,7 +51,7 @@ trait Trial {
 /// A trial of every solver in every number type. Forward Euler holds no sheet that drag alone damps.
 fn every_solver(trial: &impl Trial) {
     fn every<S: Scalar>(trial: &impl Trial) {
-        trial.with::<S, _>("lines", Lines::<6>::default());
+        trial.with::<S, _>("lines", Lines::<9>::default());
         trial.with::<S, _>("xpbd", Xpbd);
         trial.with::<S, _>("verlet", Verlet { sweeps: 4 });
         trial.with::<S, _>("leapfrog", Leapfrog);

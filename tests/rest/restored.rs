@@ -61,13 +61,13 @@ fn sheets_that_change_places_wake() {
 #[test]
 fn a_sheet_that_another_solver_moved_wakes() {
     let (scene, mut cloth, mut memory) = at_rest();
-    let (mut other, _) = curtain::<Q24, _>(Lines::<6>::default());
+    let (mut other, _) = curtain::<Q24, _>(Lines::<9>::default());
     other.forces.0 = Gravity::new(UNITS.acceleration([1.0, 0.0, DOWN[2]]));
     other.step(&mut cloth, &mut other.memory::<Q24, SIDE, SIDE>());
     assert!(wakes(&scene, &mut cloth, &mut memory));
     // another one that rests, too
     let (scene, mut cloth, mut memory) = at_rest();
-    let (mut other, _) = curtain::<Q24, _>(resting(Lines::<6>::default()));
+    let (mut other, _) = curtain::<Q24, _>(resting(Lines::<9>::default()));
     other.forces.0 = Gravity::new(UNITS.acceleration([1.0, 0.0, DOWN[2]]));
     assert!(settle(&other, &mut cloth, &mut other.memory::<Q24, SIDE, SIDE>(), 3600).is_some());
     assert!(wakes(&scene, &mut cloth, &mut memory));

@@ -62,9 +62,9 @@ pub fn moved<S: Scalar, const W: usize, const H: usize>(model: &Model, pace: Pac
         Method::Leapfrog => rig::<S, _, W, H>(model, pace, Leapfrog),
         Method::Verlet(sweeps) => rig::<S, _, W, H>(model, pace, Verlet { sweeps }),
         Method::Xpbd => rig::<S, _, W, H>(model, pace, Xpbd),
-        Method::Lines(sweeps) => rig::<S, _, W, H>(model, pace, Lines::<4>::with_sweeps(sweeps)),
-        Method::LinesForgetful => rig::<S, _, W, H>(model, pace, Lines::<2>::with_sweeps(1)),
-        Method::LinesMindful => rig::<S, _, W, H>(model, pace, Lines::<6>::with_sweeps(2)),
+        Method::Lines(sweeps) => rig::<S, _, W, H>(model, pace, Lines::<7>::with_sweeps(sweeps)),
+        Method::LinesForgetful => rig::<S, _, W, H>(model, pace, Lines::<5>::with_sweeps(1)),
+        Method::LinesMindful => rig::<S, _, W, H>(model, pace, Lines::<9>::with_sweeps(2)),
     }
 }
 

@@ -21,6 +21,15 @@ pub fn corners(n: usize) -> Model {
     }
 }
 
+/// The sheet of [`corners`] with dampers that take most of a vibration within its period, and let all of it sink slowly.
+pub fn syrup(n: usize) -> Model {
+    let mut model = corners(n);
+    for (family, damping) in model.families.iter_mut().zip([100.0, 30.0, 10.0]) {
+        family.damping = damping;
+    }
+    model
+}
+
 /// A square sheet of 1 m and 10 g a particle, held along its left side in the wind, with damped links. It stretches by 11 %.
 pub fn flag(n: usize, wind: Wind) -> Model {
     let sheet = Sheet::new(Pose::Hang, [n, n], [1.0, 1.0]).with_mass(0.01).with_left_pinned();

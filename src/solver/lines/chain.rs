@@ -15,7 +15,7 @@ use crate::grid::Grid;
 use crate::link::Quotient;
 use crate::moment::Moment;
 use crate::particles::Particles;
-use crate::scalar::{Rest, Scalar};
+use crate::scalar::{Rest, Rounding, Scalar};
 use crate::solver::ordinary::Ordinary;
 use crate::vec3::Vec3;
 use crate::vectors::{SIDE_BY_SIDE, ahead, behind, columns};
@@ -32,6 +32,7 @@ pub(super) struct Chain<'a, S, const W: usize, const H: usize> {
     pub(super) rest: &'a Rest<S>,
     pub(super) strength: Quotient<S>,
     pub(super) moment: Moment,
+    pub(super) rounding: Rounding,
     pub(super) ordinary: &'a Ordinary<W, H>,
     pub(super) heavy: Heavy,
 }
@@ -92,7 +93,6 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     fn row<const ORDINARY: bool>(&self, particles: &mut Particles<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
         let Quotient { dividend, divisor } = self.strength;
         let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
-        let rounding = self.moment.rounding();
         let (links, middle) = (W - 1, (W - 1) / 2);
         let x = &particles.position.0[row];
         let w = particles.inverse_mass.0[row].map(|w| heavy.scaled(w));
@@ -168,7 +168,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut pull = Vec3::row(Vec3::ZERO);
         for k in 0..W {
             tension[k] += change[k];
-            pull.set(k, normal.at(k).of_length(self.strength.times_dividend(change[k]), rounding));
+            pull.set(k, normal.at(k).of_length(self.strength.times_dividend(change[k]), self.rounding));
         }
         let before = behind::<1, S, W>(&pull);
         displace_row(
@@ -240,7 +240,6 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
         let Quotient { dividend, divisor } = self.strength;
         let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
-        let rounding = self.moment.rounding();
         let mut normals = [Vec3::<[S; N]>::row(Vec3::ZERO); H];
         let mut factors = [[S::ZERO; N]; H];
         let mut changes = [[S::ZERO; N]; H];
@@ -283,7 +282,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 most[lane] = most[lane].max(change[lane]);
                 pull.set(
                     lane,
-                    normals[link_above].at(lane).of_length(self.strength.times_dividend(change[lane]), rounding),
+                    normals[link_above].at(lane).of_length(self.strength.times_dividend(change[lane]), self.rounding),
                 );
             }
             let tension = &mut tension.0[link_above];

@@ -31,7 +31,9 @@ pub(super) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>
         moment,
         |particles, node| particles.position.at(node) - start.at(node),
         |particles, node, contact| {
-            let share = |position| if aside && !S::FLOATS { moment.share(position) } else { Vec3::ZERO };
+            let share = |position: Vec3<S>| {
+                if aside && !S::FLOATS { position.map(|x| moment.share(x)) } else { Vec3::ZERO }
+            };
             let position = particles.position.at(node);
             let velocity = particles.velocity.at(node) + share(position);
             let by = impulse(&contact, velocity, moment);
@@ -57,5 +59,5 @@ fn impulse<S: Scalar>(contact: &Contact<S>, velocity: Vec3<S>, moment: Moment) -
     if friction == S::ZERO {
         return normal * stop;
     }
-    normal * stop - held_back(against, normal, friction * stop)
+    normal * stop - held_back(against, normal, S::narrow(friction.product(stop)))
 }

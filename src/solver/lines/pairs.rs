@@ -10,7 +10,7 @@ use crate::grid::Grid;
 use crate::link::{Family, Quotient};
 use crate::moment::Moment;
 use crate::particles::Particles;
-use crate::scalar::{Rest, Scalar};
+use crate::scalar::{Rest, Rounding, Scalar};
 use crate::vec3::Vec3;
 use crate::vectors::{ahead, behind, columns, left, right};
 
@@ -24,6 +24,7 @@ pub(super) struct Pairs<'a, S, const H: usize> {
     /// 1/(2·a + b), of two particles of mass 1.
     softness: S,
     moment: Moment,
+    rounding: Rounding,
     ordinary: &'a [bool; H],
     heavy: Heavy,
 }
@@ -33,11 +34,12 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         family: &'a Family<S>,
         strength: Quotient<S>,
         moment: Moment,
+        rounding: Rounding,
         ordinary: &'a [bool; H],
         heavy: Heavy,
     ) -> Self {
         let softness = (strength.dividend + strength.dividend + strength.divisor).recip();
-        Self { rest: &family.rest, strength, softness, moment, ordinary, heavy }
+        Self { rest: &family.rest, strength, softness, moment, rounding, ordinary, heavy }
     }
 
     /// Links between particles that are `ACROSS` columns apart.
@@ -210,14 +212,13 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         tension: &mut [S; W],
         change: impl Fn(usize, S, S) -> [S; 2],
     ) -> Vec3<[S; W]> {
-        let rounding = self.moment.rounding();
         let mut pull = Vec3::row(Vec3::ZERO);
         // no branches: so it can be done for four at once
         for column in links {
             let (excess, normal) = (y(column) - x.at(column)).direction(self.rest);
             let [by, after] = change(column, tension[column], excess);
             tension[column] = after;
-            pull.set(column, normal.of_length(self.strength.times_dividend(by), rounding));
+            pull.set(column, normal.of_length(self.strength.times_dividend(by), self.rounding));
         }
         pull
     }

@@ -4,14 +4,16 @@ use crate::grid::Grid;
 use crate::link::{Family, Links, Quotient, Visitor};
 use crate::moment::Moment;
 use crate::particles::Particles;
-use crate::scalar::Scalar;
+use crate::scalar::{Rounding, Scalar};
 use crate::solver::ordinary::Ordinary;
-use crate::vec3::Vec3;
 
 use super::WARM;
 use super::chain::Chain;
 use super::heavy::Heavy;
 use super::pairs::Pairs;
+
+/// The grids of multipliers of rows and columns.
+const LINES: usize = 2;
 
 /// Which families a visit is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -25,34 +27,51 @@ enum Pass {
 }
 
 /// Relaxes links.
-pub(super) struct Relax<'a, S, const W: usize, const H: usize, const N: usize> {
+pub(super) struct Relax<'a, S, const W: usize, const H: usize> {
     pub(super) particles: &'a mut Particles<S, W, H>,
-    tension: &'a mut [Grid<S, W, H>; N],
+    tension: &'a mut [Grid<S, W, H>],
     moment: Moment,
     /// What the rule in time makes of κ.
     softness: S,
     pass: Pass,
     /// Whether no sweep of this substep went before.
     first: bool,
-    /// The grid of multipliers of the family at hand.
+    /// Whether rows and columns have been met in this pass.
+    met_lines: [bool; 2],
+    /// The next family's grid of multipliers.
     slot: usize,
     /// The largest strain of a row that the sweep met.
     met: S,
+    /// How corrections are rounded.
+    rounding: Rounding,
     ordinary: Ordinary<W, H>,
     heavy: Heavy,
 }
 
-impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S, W, H, N> {
+impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
     pub(super) fn new(
         particles: &'a mut Particles<S, W, H>,
-        tension: &'a mut [Grid<S, W, H>; N],
+        tension: &'a mut [Grid<S, W, H>],
         moment: Moment,
         softness: S,
     ) -> Self {
         let ordinary = Ordinary::new(particles);
         let heavy = Heavy::new(particles, &ordinary.rows);
-        let (pass, met) = (Pass::Others, S::ZERO);
-        Self { particles, tension, moment, softness, pass, first: true, slot: 0, met, ordinary, heavy }
+        let (pass, met, rounding) = (Pass::Others, S::ZERO, moment.rounding());
+        Self {
+            particles,
+            tension,
+            moment,
+            softness,
+            pass,
+            first: true,
+            met_lines: [false; 2],
+            slot: LINES,
+            met,
+            rounding,
+            ordinary,
+            heavy,
+        }
     }
 
     /// In fixed point, whose sums are exact, sweeps move positions alone: what velocities have that is not the positions' is set aside in their place. (One by
@@ -68,36 +87,38 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         self.velocities(|velocity, position| velocity + moment.share(position));
     }
 
-    #[inline(always)]
-    fn velocities(&mut self, change: impl Fn(Vec3<S>, Vec3<S>) -> Vec3<S>) {
+    fn velocities(&mut self, change: impl Fn(S, S) -> S + Copy) {
         if !S::FLOATS {
             for (position, velocity) in self.particles.position.0.iter().zip(&mut self.particles.velocity.0) {
-                for column in 0..W {
-                    velocity.set(column, change(velocity.at(column), position.at(column)));
-                }
+                each(&mut velocity.x, &position.x, change);
+                each(&mut velocity.y, &position.y, change);
+                each(&mut velocity.z, &position.z, change);
             }
         }
     }
 
     /// Lets every link act with a part of its last multiplier.
     pub(super) fn start<L: Links<S>>(&mut self, links: &L) {
-        (self.pass, self.slot) = (Pass::Start, 0);
-        links.springs(self);
+        self.pass(links, Pass::Start);
     }
 
     /// Starts every link from nothing.
     pub(super) fn forget(&mut self) {
-        *self.tension = [Grid::filled(S::ZERO); N];
+        self.tension.fill(Grid::filled(S::ZERO));
     }
 
     /// Relaxes every link once. Returns the largest strain of a row that it met.
     pub(super) fn sweep<L: Links<S>>(&mut self, links: &L, first: bool) -> S {
         (self.first, self.met) = (first, S::ZERO);
         for pass in [Pass::Others, Pass::Lines] {
-            (self.pass, self.slot) = (pass, 0);
-            links.springs(self);
+            self.pass(links, pass);
         }
         self.met
+    }
+
+    fn pass<L: Links<S>>(&mut self, links: &L, pass: Pass) {
+        (self.pass, self.met_lines, self.slot) = (pass, [false; 2], LINES);
+        links.springs(self);
     }
 
     /// Starts a family from nothing.
@@ -113,8 +134,8 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
         // a taut row between two pins has no pivot but for this: of what a number can tell from nothing, a little is left
         let least = S::from_f64(8.0 * S::RESOLUTION);
         let strength = Quotient { divisor: strength.divisor.max(least), ..strength };
-        let chain =
-            Chain { rest: &family.rest, strength, moment: self.moment, ordinary: &self.ordinary, heavy: self.heavy };
+        let Self { moment, rounding, ref ordinary, heavy, .. } = *self;
+        let chain = Chain { rest: &family.rest, strength, moment, rounding, ordinary, heavy };
         if const { DOWN == 0 } {
             let worst = chain.rows(self.particles, tension);
             self.met = self.met.max(worst * family.rest.inverse);
@@ -125,7 +146,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
 
     fn others<const ACROSS: usize, const DOWN: usize, const START: bool>(&mut self, family: &Family<S>, slot: usize) {
         let strength = family.strength.scaled(self.softness);
-        let pairs = Pairs::new(family, strength, self.moment, &self.ordinary.rows, self.heavy);
+        let pairs = Pairs::new(family, strength, self.moment, self.rounding, &self.ordinary.rows, self.heavy);
         let soft = strength.divisor >= strength.dividend;
         if START && !soft {
             (slot..slot + slots::<ACROSS, DOWN>()).for_each(|slot| self.clear(slot));
@@ -149,11 +170,24 @@ impl<'a, S: Scalar, const W: usize, const H: usize, const N: usize> Relax<'a, S,
     }
 }
 
-impl<S: Scalar, const W: usize, const H: usize, const N: usize> Visitor<S> for Relax<'_, S, W, H, N> {
+/// Gives each velocity what `change` makes of it and its position.
+#[inline(never)] // of any length: a loop, where one of a known length would be written out
+fn each<S: Scalar>(velocities: &mut [S], positions: &[S], change: impl Fn(S, S) -> S) {
+    for (velocity, position) in velocities.iter_mut().zip(positions) {
+        *velocity = change(*velocity, *position);
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Relax<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        let slot = self.slot;
-        self.slot += slots::<ACROSS, DOWN>();
+        // rows and columns, without which nothing holds, have the first grids, wherever a scene names them
+        let slot = if const { ACROSS + DOWN == 1 } && !core::mem::replace(&mut self.met_lines[DOWN], true) {
+            DOWN
+        } else {
+            self.slot += slots::<ACROSS, DOWN>();
+            self.slot - slots::<ACROSS, DOWN>()
+        };
         if const { ACROSS + DOWN == 1 } {
             match self.pass {
                 Pass::Start => self.clear(slot),

@@ -1,0 +1,455 @@
+//! Dampers, all at once and implicitly.
+//!
+//! What dampers do to velocities within a substep is diffusion on the grid, `(1 + W·L)·v' = v`, with inverse masses W and the Laplacian L of all dampers, each
+//! weighted with its κ = k_d·h/m. Explicit ones explode where κ is large; taken one by one, each implicitly, they don't carry a motion further than a link and hold
+//! a sheet up in the air. Here rows and then columns are solved exactly, for the strength of all families along them: that is `(1 + X)·(1 + Y)·v' = v`
+//! (D. Peaceman, H. Rachford, 1955). Diagonals count as two links each way and links of two cells as four: what they are to smooth motions, and never less than
+//! they are to others, so that passes for what is left over converge. Three make the error of third order in κ.
+//!
+//! **Dampers and springs** both answer to the velocity at the substep's end, `v' = (1 + W·L)⁻¹·(v̂ + Δ)` where springs and contacts do Δ. Springs come last, so dampers
+//! are first shown the Δ of the last substep, as incremental projection methods do (J. van Kan, 1986), and in the end what Δ has become since: second order, and
+//! a sheet in balance is left alone.
+
+use crate::grid::{Grid, Node};
+use crate::link::{Family, Links, Quotient, Visitor, each};
+use crate::moment::Moment;
+use crate::particles::Particles;
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+use crate::vectors::Vectors;
+
+/// Times that rows and columns are solved for the velocities that springs start from.
+const PASSES: u32 = 3;
+
+/// The least 1/κ in fixed point: stronger dampers leave no digits to what they let pass.
+const WEAKEST: f64 = 1.0 / 64.0;
+
+/// The grids of numbers in which [`Pull`] is remembered.
+pub(super) const GRIDS: usize = 3;
+
+/// What springs and contacts did to velocities in the last substep: x, y and z.
+pub(super) struct Pull<'a, S, const W: usize, const H: usize>(pub(super) &'a mut [Grid<S, W, H>; GRIDS]);
+
+impl<S: Scalar, const W: usize, const H: usize> Pull<'_, S, W, H> {
+    /// Lets dampers act. Returns the velocities that springs start from.
+    ///
+    /// A position depends on its velocity as `part`·h.
+    pub(super) fn damp<L: Links<S>>(
+        &self,
+        links: &L,
+        particles: &mut Particles<S, W, H>,
+        moment: Moment,
+        part: S,
+        axes: &Axes<S>,
+    ) -> Vectors<S, W, H> {
+        let mut damped = particles.velocity;
+        for node in Grid::<S, W, H>::nodes() {
+            damped.add(node, self.at(node));
+        }
+        diffuse(links, &particles.inverse_mass, &mut damped, axes, PASSES);
+        for node in Grid::<S, W, H>::nodes() {
+            let velocity = damped.at(node) - self.at(node);
+            particles.position.add(node, moment.displacement((velocity - particles.velocity.at(node)) * part));
+            damped.set(node, velocity);
+        }
+        particles.velocity = damped;
+        damped
+    }
+
+    /// Lets dampers act on what springs did to the velocities that they `started` from, as far as it is not what they did in the last substep. `share` of it
+    /// is what the next substep expects.
+    pub(super) fn complete<L: Links<S>>(
+        &mut self,
+        links: &L,
+        particles: &mut Particles<S, W, H>,
+        mut started: Vectors<S, W, H>,
+        axes: &Axes<S>,
+        share: S,
+    ) {
+        let velocity = &mut particles.velocity;
+        for node in Grid::<S, W, H>::nodes() {
+            let [last, pull] = [self.at(node), velocity.at(node) - started.at(node)];
+            self.set(node, pull * share);
+            started.add(node, last);
+            velocity.set(node, pull - last);
+        }
+        diffuse(links, &particles.inverse_mass, velocity, axes, 1);
+        for node in Grid::<S, W, H>::nodes() {
+            velocity.add(node, started.at(node));
+        }
+    }
+
+    /// Expects nothing.
+    pub(super) fn forget(&mut self) {
+        *self.0 = [Grid::filled(S::ZERO); GRIDS];
+    }
+
+    fn at(&self, node: Node) -> Vec3<S> {
+        let [x, y, z] = &*self.0;
+        Vec3::new(x[node], y[node], z[node])
+    }
+
+    fn set(&mut self, node: Node, pull: Vec3<S>) {
+        let [x, y, z] = &mut *self.0;
+        (x[node], y[node], z[node]) = (pull.x, pull.y, pull.z);
+    }
+}
+
+/// Solves `(1 + W·L)·v' = v`, the more accurately the more `passes`.
+#[inline(never)] // called twice
+fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
+    links: &L,
+    inverse_mass: &Grid<S, W, H>,
+    velocity: &mut Vectors<S, W, H>,
+    axes: &Axes<S>,
+    passes: u32,
+) {
+    let start = *velocity;
+    axes.solve(inverse_mass, velocity);
+    let shift = axes.shift(&start);
+    for _ in 1..passes {
+        let mut rest = start;
+        for node in Grid::<S, W, H>::nodes() {
+            rest.set(node, (start.at(node) - velocity.at(node)).map(|v| unbiased(v, shift)));
+        }
+        links.dampers(&mut Brake { velocity, inverse_mass, rest: &mut rest, response: axes.response, shift });
+        axes.solve(inverse_mass, &mut rest);
+        for node in Grid::<S, W, H>::nodes() {
+            velocity.add(node, rest.at(node).double(shift));
+        }
+    }
+}
+
+/// `v / 2^shift`, ties away from zero: rounded up they would push a sheet aside.
+fn unbiased<S: Scalar>(v: S, shift: u32) -> S {
+    if v < S::ZERO { -(-v).halve(shift) } else { v.halve(shift) }
+}
+
+/// κ of a family.
+fn strength<S: Scalar>(family: &Family<S>, response: S) -> Quotient<S> {
+    let strength = family.strength.scaled(response);
+    // in floats a little of what they can tell from nothing: a row between two pins has no other pivot
+    let least = S::from_f64(if S::FLOATS { 8.0 * S::RESOLUTION } else { WEAKEST });
+    Quotient { divisor: strength.divisor.max(least), ..strength }
+}
+
+/// The strength of all dampers along rows and columns.
+pub(super) struct Axes<S> {
+    /// How a velocity depends on its acceleration, in units of the substep.
+    response: S,
+    across: Quotient<S>,
+    down: Quotient<S>,
+}
+
+impl<S: Scalar> Visitor<S> for Axes<S> {
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        let strength = strength(family, self.response);
+        let links = if ACROSS > 0 && DOWN > 0 { 2 } else { 1 };
+        for _ in 0..links * ACROSS * ACROSS {
+            self.across = self.across.plus(strength);
+        }
+        for _ in 0..links * DOWN * DOWN {
+            self.down = self.down.plus(strength);
+        }
+    }
+}
+
+/// Takes what dampers do from what is left over, which is counted in units of 2^shift.
+struct Brake<'a, S, const W: usize, const H: usize> {
+    velocity: &'a Vectors<S, W, H>,
+    inverse_mass: &'a Grid<S, W, H>,
+    rest: &'a mut Vectors<S, W, H>,
+    response: S,
+    shift: u32,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H> {
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        let Quotient { dividend, divisor } = strength(family, self.response);
+        let strength = dividend.halve(self.shift).divide(divisor);
+        each::<ACROSS, DOWN, W, H>(|a, b| {
+            let by = (self.velocity.at(b) - self.velocity.at(a)) * strength;
+            self.rest.add(a, by * self.inverse_mass[a]);
+            self.rest.add(b, -(by * self.inverse_mass[b]));
+        });
+    }
+}
+
+/// No damper.
+const fn none<S: Scalar>() -> Quotient<S> {
+    Quotient { dividend: S::ZERO, divisor: S::ONE }
+}
+
+impl<S: Scalar> Axes<S> {
+    /// None if there are none: a scene that is put together while the program runs may have none.
+    pub(super) fn of<L: Links<S>>(links: &L, response: S) -> Option<Self> {
+        let mut axes = Self { response, across: none(), down: none() };
+        links.dampers(&mut axes);
+        (axes.across.dividend > S::ZERO || axes.down.dividend > S::ZERO).then_some(axes)
+    }
+
+    /// The logarithm to base 2 of a unit in which fixed point holds what dampers do between particles of such velocities.
+    fn shift<const W: usize, const H: usize>(&self, velocity: &Vectors<S, W, H>) -> u32 {
+        let mut shift = 0;
+        if !S::FLOATS {
+            let all = self.across.plus(self.down);
+            let most =
+                velocity.values().fold(S::ZERO, |most, Vec3 { x, y, z }| most.max(x.abs()).max(y.abs()).max(z.abs()));
+            let most = all.dividend * most.halve(2).max(S::ONE.halve(6));
+            while all.divisor.double(shift) < most {
+                shift += 1;
+            }
+        }
+        shift
+    }
+
+    /// Solves `(1 + X)·(1 + Y)·v' = v`.
+    fn solve<const W: usize, const H: usize>(&self, inverse_mass: &Grid<S, W, H>, v: &mut Vectors<S, W, H>) {
+        if self.across.dividend != S::ZERO {
+            for (masses, row) in inverse_mass.0.iter().zip(&mut v.0) {
+                solve_line(self.across, masses, row);
+            }
+        }
+        if self.down.dividend != S::ZERO {
+            for column in 0..W {
+                let node = |row| Node { column, row };
+                let mut line = Vec3::<[S; H]>::row(Vec3::ZERO);
+                (0..H).for_each(|row| line.set(row, v.at(node(row))));
+                solve_line(self.down, &core::array::from_fn(|row| inverse_mass[node(row)]), &mut line);
+                (0..H).for_each(|row| v.set(node(row), line.at(row)));
+            }
+        }
+    }
+}
+
+/// Solves a row or a column for the impulse μ of each damper, in units of the strength's dividend a,
+/// `(b + a·(w_i + w_{i+1}))·μ_i − a·w_i·μ_{i−1} − a·w_{i+1}·μ_{i+1} = v_{i+1} − v_i`, from both ends to the middle: so momentum is kept to the last place, no pivot
+/// vanishes with b, and a mirrored row of even length is solved as the mirror image.
+fn solve_line<S: Scalar, const N: usize>(strength: Quotient<S>, w: &[S; N], v: &mut Vec3<[S; N]>) {
+    if N < 2 {
+        return;
+    }
+    let (links, middle) = (N - 1, (N - 1) / 2);
+    let Quotient { dividend, divisor } = strength;
+    let diagonal = |k: usize| divisor + (w[k] + w[k + 1]) * dividend;
+    let missing = |v: &Vec3<[S; N]>, k: usize| v.at(k + 1) - v.at(k);
+    let mut impulse = Vec3::<[S; N]>::row(Vec3::ZERO);
+    // of the next link's impulse in each
+    let mut factor = [S::ZERO; N];
+    let mut pivots = [S::ZERO; 2];
+    for k in 0..middle {
+        let coupling = if k > 0 { w[k] * dividend } else { S::ZERO };
+        let ahead = coupling * pivots[0];
+        let mut right = missing(v, k);
+        if k > 0 {
+            factor[k - 1] = ahead;
+            right += impulse.at(k - 1) * coupling;
+        }
+        pivots[0] = (diagonal(k) - ahead * coupling).recip();
+        impulse.set(k, right * pivots[0]);
+    }
+    for k in (middle + 1..links).rev() {
+        let coupling = if k + 1 < links { w[k + 1] * dividend } else { S::ZERO };
+        let ahead = coupling * pivots[1];
+        let mut right = missing(v, k);
+        if k + 1 < links {
+            factor[k + 1] = ahead;
+            right += impulse.at(k + 1) * coupling;
+        }
+        pivots[1] = (diagonal(k) - ahead * coupling).recip();
+        impulse.set(k, right * pivots[1]);
+    }
+    let [mut before, mut after] = [Vec3::ZERO; 2];
+    let mut least = [S::ZERO; 2];
+    if middle > 0 {
+        let coupling = w[middle] * dividend;
+        factor[middle - 1] = coupling * pivots[0];
+        least[0] = factor[middle - 1] * coupling;
+        before = impulse.at(middle - 1) * coupling;
+    }
+    if middle + 1 < links {
+        let coupling = w[middle + 1] * dividend;
+        factor[middle + 1] = coupling * pivots[1];
+        least[1] = factor[middle + 1] * coupling;
+        after = impulse.at(middle + 1) * coupling;
+    }
+    let pivot = (diagonal(middle) - (least[0] + least[1])).recip();
+    impulse.set(middle, (missing(v, middle) + (before + after)) * pivot);
+    for k in (0..middle).rev() {
+        impulse.add(k, impulse.at(k + 1) * factor[k]);
+    }
+    for k in middle + 1..links {
+        impulse.add(k, impulse.at(k - 1) * factor[k]);
+    }
+    let mut before = Vec3::ZERO;
+    for k in 0..N {
+        // of the last one nothing was set
+        let by = impulse.at(k) * dividend;
+        v.add(k, (by - before) * w[k]);
+        before = by;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::link::{Bend, Damped, Shear, Stretch};
+    use crate::scalar::Q24;
+    use crate::units::Units;
+
+    const W: usize = 8;
+    const H: usize = 5;
+    const UNITS: Units = Units::sheet([W, H], [0.7, 0.4], 1e-3, 1.0 / 60.0, 1);
+
+    /// Dampers of strength κ, half and a quarter of it.
+    fn dampers<S: Scalar>(kappa: f64) -> (Damped<Stretch<S>, S>, Damped<Shear<S>, S>, Damped<Bend<S>, S>) {
+        let strength = |part: f64| UNITS.damping(part * kappa * 1e-3 * 60.0);
+        (
+            Damped::new(Stretch::new(&UNITS, UNITS.stiffness(1.0)), strength(1.0)),
+            Damped::new(Shear::new(&UNITS, UNITS.stiffness(1.0)), strength(0.5)),
+            Damped::new(Bend::new(&UNITS, UNITS.stiffness(1.0)), strength(0.25)),
+        )
+    }
+
+    fn number(k: usize) -> f64 {
+        (k as f64 * 7.3).sin()
+    }
+
+    fn velocities<S: Scalar>() -> Vectors<S, W, H> {
+        let mut velocity = Vectors::filled(Vec3::ZERO);
+        for (k, node) in Grid::<S, W, H>::nodes().enumerate() {
+            velocity.set(node, Vec3::from_f64([number(3 * k), number(3 * k + 1), number(3 * k + 2)]));
+        }
+        velocity
+    }
+
+    /// Free particles of three masses, and two pins.
+    fn masses<S: Scalar>() -> Grid<S, W, H> {
+        let mut w = Grid::filled(S::ONE);
+        for (k, w) in w.values_mut().enumerate() {
+            *w = S::from_f64([1.0, 0.25, 2.0][k % 3]);
+        }
+        w[Node::new(0, 0)] = S::ZERO;
+        w[Node::new(W - 1, 0)] = S::ZERO;
+        w
+    }
+
+    /// The root mean square of `v − (1 + W·L)·v'`.
+    fn left_over<L: Links<f64>>(
+        links: &L,
+        w: &Grid<f64, W, H>,
+        v: &Vectors<f64, W, H>,
+        end: &Vectors<f64, W, H>,
+    ) -> f64 {
+        let mut rest = *v;
+        for node in Grid::<f64, W, H>::nodes() {
+            rest.set(node, v.at(node) - end.at(node));
+        }
+        links.dampers(&mut Brake { velocity: end, inverse_mass: w, rest: &mut rest, response: 1.0, shift: 0 });
+        (rest.values().map(|v| v.dot(v)).sum::<f64>() / (W * H) as f64).sqrt()
+    }
+
+    #[test]
+    fn dampers_along_rows_or_along_columns_are_solved_exactly() {
+        for axis in 0..2 {
+            let (w, v) = (masses(), velocities());
+            let kappa = Quotient { dividend: 1.0, divisor: 0.2 };
+            let axes = Axes { response: 1.0, across: [kappa, none()][axis], down: [none(), kappa][axis] };
+            let mut end = v;
+            axes.solve(&w, &mut end);
+            for node in Grid::<f64, W, H>::nodes() {
+                let [column, row] = [node.column, node.row];
+                let [here, extent] = [[column, W], [row, H]][axis];
+                let mut sum = end.at(node);
+                for (there, neighbour) in [(here > 0, here.wrapping_sub(1)), (here + 1 < extent, here + 1)] {
+                    if there {
+                        let neighbour = [Node::new(neighbour, row), Node::new(column, neighbour)][axis];
+                        sum += (end.at(node) - end.at(neighbour)) * (5.0 * w[node]);
+                    }
+                }
+                let error = (sum - v.at(node)).length();
+                assert!(error < 1e-13, "{node:?} along axis {axis}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn passes_converge() {
+        let (w, v) = (masses(), velocities());
+        for (kappa, most) in [(0.003, 3e-5), (0.03, 1e-2), (0.3, 0.3)] {
+            let links = dampers(kappa);
+            let mut before = f64::MAX;
+            for passes in 1..30 {
+                let mut end = v;
+                diffuse(&links, &w, &mut end, &Axes::of(&links, 1.0).unwrap(), passes);
+                let found = left_over(&links, &w, &v, &end);
+                assert!(found <= before.max(1e-14), "κ = {kappa}, {passes} passes: {found:e} after {before:e}");
+                assert!(passes != PASSES || found < most, "κ = {kappa}: {found:e}");
+                before = found;
+            }
+        }
+    }
+
+    #[test]
+    fn dampers_of_any_strength_take_energy() {
+        fn check<S: Scalar>() {
+            let (w, v) = (masses::<S>(), velocities::<S>());
+            let energy = |v: &Vectors<S, W, H>| -> f64 {
+                let free = v.values().zip(w.values()).filter(|(_, w)| **w > S::ZERO);
+                free.map(|(v, w)| v.to_f64().map(|x| x * x).iter().sum::<f64>() / w.to_f64()).sum()
+            };
+            for kappa in [1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e4, 1e8] {
+                let links = dampers(kappa);
+                for passes in [1, PASSES] {
+                    let mut end = v;
+                    diffuse(&links, &w, &mut end, &Axes::of(&links, S::ONE).unwrap(), passes);
+                    let after = energy(&end);
+                    assert!(after < energy(&v), "κ = {kappa}, {passes} passes in {}: {after}", S::NAME);
+                }
+            }
+        }
+        check::<f64>();
+        check::<f32>();
+        check::<Q24>();
+    }
+
+    #[test]
+    fn fixed_point_keeps_momentum_to_the_last_place() {
+        let momentum = |v: &Vectors<Q24, W, H>| v.values().fold(Vec3::ZERO, |sum, v| sum + v);
+        for kappa in [0.01, 0.1, 0.5] {
+            let (v, w) = (velocities::<Q24>(), Grid::filled(Q24::ONE));
+            let mut end = v;
+            let links = dampers(kappa);
+            diffuse(&links, &w, &mut end, &Axes::of(&links, Q24::ONE).unwrap(), PASSES);
+            assert_eq!(momentum(&v), momentum(&end), "κ = {kappa}");
+            assert!(end != v);
+        }
+    }
+
+    #[test]
+    fn what_moves_as_a_whole_is_not_damped() {
+        let v = Vec3::from_f64([0.1, -2.3, 4.5]);
+        let mut velocity = Vectors::<Q24, W, H>::filled(v);
+        let links = dampers(3.0);
+        diffuse(&links, &Grid::filled(Q24::ONE), &mut velocity, &Axes::of(&links, Q24::ONE).unwrap(), PASSES);
+        assert!(velocity.values().all(|found| found == v));
+    }
+
+    #[test]
+    fn a_mirrored_sheet_is_damped_as_the_mirror_image() {
+        let mirrored = |v: &Vectors<f32, W, H>| {
+            let mut image = *v;
+            for node in Grid::<f32, W, H>::nodes() {
+                image.set(node, v.at(Node::new(W - 1 - node.column, node.row)));
+            }
+            image
+        };
+        let run = |mut v: Vectors<f32, W, H>| {
+            let links = dampers(2.0);
+            diffuse(&links, &Grid::filled(1.0), &mut v, &Axes::of(&links, 1.0).unwrap(), PASSES);
+            v
+        };
+        let v = velocities();
+        assert!(mirrored(&run(v)) == run(mirrored(&v)));
+    }
+}
