@@ -13,7 +13,7 @@ use crate::vectors::Vectors;
 
 /// Leapfrog, second order, symplectic: energy oscillates but does not drift.
 ///
-/// Stable for h < 2/ω with ω² = 4·(k + k_shear)/m for a sheet of stretch and shear springs. Drag is integrated exactly. Where forces depend on
+/// Stable for h < 2/ω with `ω² = 4·(k + k_shear)/m` for a sheet of stretch and shear springs. Drag is integrated exactly. Where forces depend on
 /// velocities (aerodynamic wind, damped links) a substep takes a second force sum at the velocities predicted for its middle, which
 /// keeps the order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

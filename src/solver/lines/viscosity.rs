@@ -1,7 +1,7 @@
 //! Dampers, all at once and implicitly.
 //!
 //! What dampers do to velocities within a substep is diffusion on the grid, `(1 + W·L)·v' = v`, with inverse masses W and the Laplacian L of all dampers, each
-//! weighted with its κ = k_d·h/m. Explicit ones explode where κ is large; taken one by one, each implicitly, they don't carry a motion further than a link and hold
+//! weighted with its `κ = k_d·h/m`. Explicit ones explode where κ is large; taken one by one, each implicitly, they don't carry a motion further than a link and hold
 //! a sheet up in the air. Here rows and then columns are solved exactly, for the strength of all families along them: that is `(1 + X)·(1 + Y)·v' = v`
 //! (D. Peaceman, H. Rachford, 1955). Diagonals count as two links each way and links of two cells as four: what they are to smooth motions, and never less than
 //! they are to others, so that passes for what is left over converge. Three make the error of third order in κ.
@@ -302,7 +302,7 @@ mod tests {
     const UNITS: Units = Units::sheet([W, H], [0.7, 0.4], 1e-3, 1.0 / 60.0, 1);
 
     /// Dampers of strength κ, half and a quarter of it.
-    fn dampers<S: Scalar>(kappa: f64) -> (Damped<Stretch<S>, S>, Damped<Shear<S>, S>, Damped<Bend<S>, S>) {
+    fn dampers<S: Scalar>(kappa: f64) -> impl Links<S> {
         let strength = |part: f64| UNITS.damping(part * kappa * 1e-3 * 60.0);
         (
             Damped::new(Stretch::new(&UNITS, UNITS.stiffness(1.0)), strength(1.0)),
