@@ -150,10 +150,12 @@ fn triangles<S: Scalar, const W: usize>(
     for cell in 0..W {
         let [p, s] = [top, bottom].map(|row| (row.position.at(cell), row.velocity.at(cell)));
         let [q, t] = [(q.at(cell), vq.at(cell)), (t.at(cell), vt.at(cell))];
-        let both = [[q, p, s], [t, q, s]];
-        let gain = |corners: [(Vec3<S>, Vec3<S>); 3]| gain(cell, corners.map(|(x, _)| x), corners.map(|(_, v)| v));
         // apart they are inlined and done four at a time, mapped over they are one piece of a small chip's flash
-        let [one, two] = if SIDE_BY_SIDE { [gain(both[0]), gain(both[1])] } else { both.map(gain) };
+        let [one, two] = if const { SIDE_BY_SIDE } {
+            [gain(cell, [q.0, p.0, s.0], [q.1, p.1, s.1]), gain(cell, [t.0, q.0, s.0], [t.1, q.1, s.1])]
+        } else {
+            [[q, p, s], [t, q, s]].map(|corners| gain(cell, corners.map(|(x, _)| x), corners.map(|(_, v)| v)))
+        };
         first.set(cell, one);
         second.set(cell, one + two);
     }
