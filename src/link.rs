@@ -231,3 +231,31 @@ tuple!(A, B);
 tuple!(A, B, C);
 tuple!(A, B, C, D);
 tuple!(A, B, C, D, E);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Q24;
+
+    #[test]
+    fn quotients_of_any_two_strengths_are_added() {
+        fn check<S: Scalar>(error: f64) {
+            let quotient = |kappa: f64| Quotient::<S> {
+                dividend: S::from_f64(kappa.min(1.0)),
+                divisor: S::from_f64(if kappa > 0.0 { (1.0 / kappa).min(1.0) } else { 1.0 }),
+            };
+            for a in [0.0, 0.01, 0.6, 1.0, 3.0, 50.0] {
+                for b in [0.0, 0.02, 0.6, 1.0, 7.0, 64.0] {
+                    let Quotient { dividend, divisor } = quotient(a).plus(quotient(b));
+                    let [dividend, divisor] = [dividend, divisor].map(S::to_f64);
+                    assert!(dividend.max(divisor) == 1.0, "{a} + {b} in {}: {dividend}/{divisor}", S::NAME);
+                    let sum = dividend / divisor;
+                    assert!((sum - (a + b)).abs() <= error * (a + b), "{a} + {b} in {}: {sum}", S::NAME);
+                }
+            }
+        }
+        check::<f64>(1e-15);
+        check::<f32>(5e-7);
+        check::<Q24>(2e-5);
+    }
+}

@@ -17,8 +17,8 @@ use crate::scalar::Scalar;
 use crate::solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Physics, Solver, Verlet, Xpbd};
 use crate::units::Units;
 
-/// Directions of links in a scene with every family.
-const DIRECTIONS: usize = 9;
+/// What lines remember in a scene with every family: six directions of links, and three grids for dampers.
+const GRIDS: usize = 9;
 
 /// One of the core's solvers.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +28,7 @@ pub(super) enum AnySolver {
     BackwardEuler(BackwardEuler),
     Leapfrog(Leapfrog),
     Xpbd(Xpbd),
-    Lines(Lines<DIRECTIONS>),
+    Lines(Lines<GRIDS>),
 }
 
 type MemoryOf<V, S, const W: usize, const H: usize> = <V as Solver<S>>::Memory<W, H>;
@@ -39,7 +39,7 @@ pub(super) enum Memory<S: Scalar, const W: usize, const H: usize> {
     ForwardEuler(Box<MemoryOf<ForwardEuler, S, W, H>>),
     BackwardEuler(Box<MemoryOf<BackwardEuler, S, W, H>>),
     Leapfrog(Box<MemoryOf<Leapfrog, S, W, H>>),
-    Lines(Box<MemoryOf<Lines<DIRECTIONS>, S, W, H>>),
+    Lines(Box<MemoryOf<Lines<GRIDS>, S, W, H>>),
 }
 
 impl AnySolver {

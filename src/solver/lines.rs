@@ -22,6 +22,7 @@ mod flicker;
 mod heavy;
 mod pairs;
 mod predict;
+mod pull;
 mod relax;
 mod viscosity;
 
@@ -37,8 +38,9 @@ use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
 use flicker::Flicker;
+use pull::Pull;
 use relax::Relax;
-use viscosity::{Axes, Pull};
+use viscosity::Axes;
 
 /// Second order in time, exact along rows and columns, stable for any stiffness and step: the solver for sheets that hardly stretch.
 ///
@@ -211,10 +213,10 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
 const fn spare<S: Scalar, L: Links<S>>(grids: usize) -> usize {
     if L::DAMPED {
         assert!(
-            grids >= 2 + viscosity::GRIDS,
+            grids >= 2 + pull::GRIDS,
             "where links may be damped, three grids more are needed: `Lines::<7>::default()` for stretch and shear"
         );
-        viscosity::GRIDS
+        pull::GRIDS
     } else {
         0
     }

@@ -5,99 +5,22 @@
 //! a sheet up in the air. Here rows and then columns are solved exactly, for the strength of all families along them: that is `(1 + X)·(1 + Y)·v' = v`
 //! (D. Peaceman, H. Rachford, 1955). Diagonals count as two links each way and links of two cells as four: what they are to smooth motions, and never less than
 //! they are to others, so that passes for what is left over converge. Three make the error of third order in κ.
-//!
-//! **Dampers and springs** both answer to the velocity at the substep's end, `v' = (1 + W·L)⁻¹·(v̂ + Δ)` where springs and contacts do Δ. Springs come last, so dampers
-//! are first shown the Δ of the last substep, as incremental projection methods do (J. van Kan, 1986), and in the end what Δ has become since: second order, and
-//! a sheet in balance is left alone.
 
 use crate::grid::{Grid, Node};
 use crate::link::{Family, Links, Quotient, Visitor, each};
-use crate::moment::Moment;
-use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-/// Times that rows and columns are solved for the velocities that springs start from.
-const PASSES: u32 = 3;
+/// The passes that make the rule in time one of second order.
+pub(super) const PASSES: u32 = 3;
 
 /// The least 1/κ in fixed point: stronger dampers leave no digits to what they let pass.
 const WEAKEST: f64 = 1.0 / 64.0;
 
-/// The grids of numbers in which [`Pull`] is remembered.
-pub(super) const GRIDS: usize = 3;
-
-/// What springs and contacts did to velocities in the last substep: x, y and z.
-pub(super) struct Pull<'a, S, const W: usize, const H: usize>(pub(super) &'a mut [Grid<S, W, H>; GRIDS]);
-
-impl<S: Scalar, const W: usize, const H: usize> Pull<'_, S, W, H> {
-    /// Lets dampers act. Returns the velocities that springs start from.
-    ///
-    /// A position depends on its velocity as `part`·h.
-    pub(super) fn damp<L: Links<S>>(
-        &self,
-        links: &L,
-        particles: &mut Particles<S, W, H>,
-        moment: Moment,
-        part: S,
-        axes: &Axes<S>,
-    ) -> Vectors<S, W, H> {
-        let mut damped = particles.velocity;
-        for node in Grid::<S, W, H>::nodes() {
-            damped.add(node, self.at(node));
-        }
-        diffuse(links, &particles.inverse_mass, &mut damped, axes, PASSES);
-        for node in Grid::<S, W, H>::nodes() {
-            let velocity = damped.at(node) - self.at(node);
-            particles.position.add(node, moment.displacement((velocity - particles.velocity.at(node)) * part));
-            damped.set(node, velocity);
-        }
-        particles.velocity = damped;
-        damped
-    }
-
-    /// Lets dampers act on what springs did to the velocities that they `started` from, as far as it is not what they did in the last substep. `share` of it
-    /// is what the next substep expects.
-    pub(super) fn complete<L: Links<S>>(
-        &mut self,
-        links: &L,
-        particles: &mut Particles<S, W, H>,
-        mut started: Vectors<S, W, H>,
-        axes: &Axes<S>,
-        share: S,
-    ) {
-        let velocity = &mut particles.velocity;
-        for node in Grid::<S, W, H>::nodes() {
-            let [last, pull] = [self.at(node), velocity.at(node) - started.at(node)];
-            self.set(node, pull * share);
-            started.add(node, last);
-            velocity.set(node, pull - last);
-        }
-        diffuse(links, &particles.inverse_mass, velocity, axes, 1);
-        for node in Grid::<S, W, H>::nodes() {
-            velocity.add(node, started.at(node));
-        }
-    }
-
-    /// Expects nothing.
-    pub(super) fn forget(&mut self) {
-        *self.0 = [Grid::filled(S::ZERO); GRIDS];
-    }
-
-    fn at(&self, node: Node) -> Vec3<S> {
-        let [x, y, z] = &*self.0;
-        Vec3::new(x[node], y[node], z[node])
-    }
-
-    fn set(&mut self, node: Node, pull: Vec3<S>) {
-        let [x, y, z] = &mut *self.0;
-        (x[node], y[node], z[node]) = (pull.x, pull.y, pull.z);
-    }
-}
-
 /// Solves `(1 + W·L)·v' = v`, the more accurately the more `passes`.
 #[inline(never)] // called twice
-fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
+pub(super) fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     links: &L,
     inverse_mass: &Grid<S, W, H>,
     velocity: &mut Vectors<S, W, H>,
@@ -106,6 +29,9 @@ fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
 ) {
     let start = *velocity;
     axes.solve(inverse_mass, velocity);
+    if passes < 2 {
+        return;
+    }
     let shift = axes.shift(&start);
     for _ in 1..passes {
         let mut rest = start;

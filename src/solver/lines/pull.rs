@@ -1,0 +1,85 @@
+//! Dampers and springs, which both answer to the velocity at the substep's end, `v' = (1 + W·L)⁻¹·(v̂ + Δ)` where springs and contacts do Δ.
+//!
+//! Springs come last, so dampers are first shown the Δ of the last substep, as incremental projection methods do (J. van Kan, 1986), and in the end what Δ has become
+//! since: second order, and a sheet in balance is left alone.
+
+use crate::grid::{Grid, Node};
+use crate::link::Links;
+use crate::moment::Moment;
+use crate::particles::Particles;
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+use crate::vectors::Vectors;
+
+use super::viscosity::{Axes, PASSES, diffuse};
+
+/// The grids of numbers in which a [`Pull`] is remembered.
+pub(super) const GRIDS: usize = 3;
+
+/// What springs and contacts did to velocities in the last substep: x, y and z.
+pub(super) struct Pull<'a, S, const W: usize, const H: usize>(pub(super) &'a mut [Grid<S, W, H>; GRIDS]);
+
+impl<S: Scalar, const W: usize, const H: usize> Pull<'_, S, W, H> {
+    /// Lets dampers act. Returns the velocities that springs start from.
+    ///
+    /// A position depends on its velocity as `part`·h.
+    pub(super) fn damp<L: Links<S>>(
+        &self,
+        links: &L,
+        particles: &mut Particles<S, W, H>,
+        moment: Moment,
+        part: S,
+        axes: &Axes<S>,
+    ) -> Vectors<S, W, H> {
+        let mut damped = particles.velocity;
+        for node in Grid::<S, W, H>::nodes() {
+            damped.add(node, self.at(node));
+        }
+        diffuse(links, &particles.inverse_mass, &mut damped, axes, PASSES);
+        for node in Grid::<S, W, H>::nodes() {
+            let velocity = damped.at(node) - self.at(node);
+            particles.position.add(node, moment.displacement((velocity - particles.velocity.at(node)) * part));
+            damped.set(node, velocity);
+        }
+        particles.velocity = damped;
+        damped
+    }
+
+    /// Lets dampers act on what springs did to the velocities that they `started` from, as far as it is not what they did in the last substep. `share` of it
+    /// is what the next substep expects.
+    pub(super) fn complete<L: Links<S>>(
+        &mut self,
+        links: &L,
+        particles: &mut Particles<S, W, H>,
+        mut started: Vectors<S, W, H>,
+        axes: &Axes<S>,
+        share: S,
+    ) {
+        let velocity = &mut particles.velocity;
+        for node in Grid::<S, W, H>::nodes() {
+            let [last, pull] = [self.at(node), velocity.at(node) - started.at(node)];
+            self.set(node, pull * share);
+            started.add(node, last);
+            velocity.set(node, pull - last);
+        }
+        diffuse(links, &particles.inverse_mass, velocity, axes, 1);
+        for node in Grid::<S, W, H>::nodes() {
+            velocity.add(node, started.at(node));
+        }
+    }
+
+    /// Expects nothing.
+    pub(super) fn forget(&mut self) {
+        *self.0 = [Grid::filled(S::ZERO); GRIDS];
+    }
+
+    fn at(&self, node: Node) -> Vec3<S> {
+        let [x, y, z] = &*self.0;
+        Vec3::new(x[node], y[node], z[node])
+    }
+
+    fn set(&mut self, node: Node, pull: Vec3<S>) {
+        let [x, y, z] = &mut *self.0;
+        (x[node], y[node], z[node]) = (pull.x, pull.y, pull.z);
+    }
+}
