@@ -1,6 +1,7 @@
-//! Scenes and states that nobody would write: none panics, none hangs, and what a stable solver moves stays finite.
+//! Scenes and states that nobody would write: none panics, none hangs, what a stable solver moves stays finite, and fixed point leaves its range only where
+//! the scene does.
 //!
-//! `PROPTEST_CASES=100000 cargo test --release --test random_scenes` looks longer. What it finds is kept in `random_scenes.regressions` and tried first. The fuzzers of
+//! `PROPTEST_CASES=3000 cargo test --release --test random_scenes` looks longer. What it finds is kept in `random_scenes.regressions` and tried first. The fuzzers of
 //! `tests/fuzz` look where the code has been least; what they keep is played here too.
 
 #[path = "fuzz/file.rs"]
@@ -35,23 +36,35 @@ fn extras() -> impl Strategy<Value = String> {
     });
     let surface =
         (0.0..0.1, 0.0..2.0).prop_map(|(margin, friction)| format!("margin = {margin}\nfriction = {friction}\n"));
-    let sphere =
-        (vector(1.0), power(-2.0, 0.0), vector(5.0), surface).prop_map(|(centre, radius, velocity, surface)| {
+    let sphere = (vector(1.0), power(-2.0, 0.0), vector(5.0), surface.clone()).prop_map(
+        |(centre, radius, velocity, surface)| {
             format!("[[sphere]]\ncentre = {centre:?}\nradius = {radius}\nvelocity = {velocity:?}\n{surface}")
-        });
+        },
+    );
+    let capsule = (vector(2.0), vector(2.0), power(-2.0, 0.0), surface)
+        .prop_map(|(a, b, radius, surface)| format!("[[capsule]]\na = {a:?}\nb = {b:?}\nradius = {radius}\n{surface}"));
     let plane = vector(1.0).prop_map(|normal| format!("[[plane]]\npoint = [0.0, 0.0, -1.0]\nnormal = {normal:?}\n"));
     let tether = (0.0..0.5).prop_map(|slack| format!("[tether]\nslack = {slack}\n"));
     let rest = power(-4.0, 0.0).prop_map(|speed| format!("[rest]\nspeed = {speed}\n"));
     let option = |text: BoxedStrategy<String>| proptest::option::of(text).prop_map(Option::unwrap_or_default);
-    (environment, option(sphere.boxed()), option(plane.boxed()), option(tether.boxed()), option(rest.boxed()))
-        .prop_map(|(a, b, c, d, e)| a + &b + &c + &d + &e)
+    let obstacles = (option(sphere.boxed()), option(plane.boxed()), option(capsule.boxed()));
+    (environment, obstacles, option(tether.boxed()), option(rest.boxed())).prop_map(
+        |(environment, (sphere, plane, capsule), tether, rest)| {
+            [environment, sphere, plane, capsule, tether, rest].concat()
+        },
+    )
 }
 
 fn scene() -> impl Strategy<Value = String> {
+    let hem = proptest::option::of(power(-1.5, 1.5).prop_map(|factor| format!("hem = {factor}\n")));
+    let mass = prop_oneof![
+        power(-5.0, 1.0).prop_map(|mass| format!("mass = {mass}\n")),
+        power(-3.0, 1.0).prop_map(|density| format!("density = {density}\n")),
+    ];
     let cloth = (
         select(&[[4, 4], [8, 8], [1, 32]][..]),
         power(-1.0, 1.0),
-        power(-5.0, 1.0),
+        (mass, hem).prop_map(|(mass, hem)| mass + &hem.unwrap_or_default()),
         select(&["[[0, 0]]", "\"top\"", "\"left\"", "\"corners\"", "[]"][..]),
         select(&["lay", "hang"][..]),
     );
@@ -62,7 +75,7 @@ fn scene() -> impl Strategy<Value = String> {
         let [stretch, shear, bend, damping] = links;
         let (frame, substeps, iterations, limit) = step;
         let mut text = format!(
-            "[cloth]\ncolumns = {columns}\nrows = {rows}\nwidth = {size}\nheight = {size}\nmass = {mass}\npins = {pins}\n\
+            "[cloth]\ncolumns = {columns}\nrows = {rows}\nwidth = {size}\nheight = {size}\n{mass}pins = {pins}\n\
              pose = \"{pose}\"\n[stretch]\nstiffness = {stretch}\ndamping = {damping}\n[shear]\nstiffness = {shear}\n\
              [bend]\nstiffness = {bend}\n{extras}[solver]\nstep = {frame}\nsubsteps = {substeps}\niterations = {iterations}\n"
         );
@@ -86,6 +99,9 @@ fn torn() -> impl Strategy<Value = String> {
     })
 }
 
+/// The part of fixed point's range that a sheet may use: within a frame it may be further out than at its end, and links between particles are up to twice as long.
+const ROOM: f64 = 0.4;
+
 /// Whether wind of the facet model, which does not weaken with the sheet's velocity and grows with the area that it stretches, carries the sheet away, pulls
 /// harder than its springs, or blows light particles beyond the sheet within a substep: it whirls them faster and faster.
 fn is_unbounded(scene: &Description) -> bool {
@@ -101,8 +117,19 @@ fn is_unbounded(scene: &Description) -> bool {
     facets > 0.0 && sheet.pins.is_empty() || facets * width * height > 0.01 * stiffness * size || blown > size
 }
 
-/// Digests after some frames; none where the number type does not hold the scene.
-fn played(scene: &Description, scalar: ScalarKind) -> Option<(u32, bool)> {
+/// What was seen of a scene in motion.
+#[derive(Debug, PartialEq)]
+struct Seen {
+    digest: u32,
+    finite: bool,
+    /// The furthest coordinate at the end of a frame, m.
+    reach: f64,
+    /// The largest strain at the end of a frame.
+    strain: f64,
+}
+
+/// Some frames of it; nothing where the number type does not hold the scene.
+fn played(scene: &Description, scalar: ScalarKind) -> Option<Seen> {
     let mut simulation = match scene.simulation(scalar) {
         Ok(simulation) => simulation,
         Err(error) => {
@@ -110,10 +137,20 @@ fn played(scene: &Description, scalar: ScalarKind) -> Option<(u32, bool)> {
             return None;
         }
     };
+    let (mut reach, mut strain) = (0.0_f64, 0.0_f64);
     for _ in 0..12 {
         simulation.frame();
+        reach = simulation.still().positions.as_flattened().iter().fold(reach, |most, x| most.max(x.abs()));
+        strain = strain.max(simulation.strains().all.largest);
     }
-    Some((simulation.digest(), simulation.is_finite()))
+    Some(Seen { digest: simulation.digest(), finite: simulation.is_finite(), reach, strain })
+}
+
+/// How far fixed point goes, m: 128 cells.
+fn range(scene: &Description) -> f64 {
+    let sheet = &scene.sheet;
+    let side = |size: f64, particles: usize| if particles > 1 { size / (particles - 1) as f64 } else { 0.0 };
+    128.0 * side(sheet.width, sheet.columns).max(side(sheet.height, sheet.rows))
 }
 
 /// As many cases as the environment asks for, others in every run; or this many, always the same.
@@ -130,14 +167,19 @@ proptest! {
     #![proptest_config(config(40))]
 
     #[test]
-    fn stable_solvers_keep_every_scene_finite(text in scene()) {
+    fn stable_solvers_hold_every_scene(text in scene()) {
         let Ok(mut scene) = Description::parse(&text) else { return Ok(()) };
         for kind in [SolverKind::Lines, SolverKind::Xpbd, SolverKind::Verlet, SolverKind::BackwardEuler] {
             scene.solver.kind = kind;
+            let exact = played(&scene, ScalarKind::F64);
+            // what tears the others in f64 as well may fly off
+            let torn = |seen: &Seen| seen.strain > 1.0 && kind != SolverKind::Lines;
+            let stays = exact.as_ref().is_some_and(|seen| seen.reach < ROOM * range(&scene) && !torn(seen));
             for scalar in ScalarKind::ALL {
                 let once = played(&scene, scalar);
-                let holds = once.is_none_or(|(_, finite)| finite);
-                prop_assert!(holds || is_unbounded(&scene), "{} in {}", kind.name(), scalar.name());
+                let floats = matches!(scalar, ScalarKind::F32 | ScalarKind::F64);
+                let holds = once.as_ref().is_none_or(|seen| seen.finite) || !(floats || stays);
+                prop_assert!(holds || is_unbounded(&scene), "{} in {}: {exact:?}, {once:?}", kind.name(), scalar.name());
                 prop_assert_eq!(once, played(&scene, scalar), "{} in {}", kind.name(), scalar.name());
             }
         }

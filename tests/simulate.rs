@@ -52,6 +52,11 @@ fn room() -> TempDir {
     room
 }
 
+/// The report of the last run.
+fn report(room: &Path) -> BTreeMap<String, serde_json::Value> {
+    serde_json::from_str(&fs::read_to_string(room.join("out/report.json")).unwrap()).unwrap()
+}
+
 fn run(room: &Path, args: &[&str]) -> Output {
     program().current_dir(room).args(args).output().unwrap()
 }
@@ -385,7 +390,7 @@ fn the_report_has_its_keys_in_order() {
         "finite",
     ];
     assert!(keys.iter().map(at).is_sorted(), "{text}");
-    let report: BTreeMap<String, serde_json::Value> = serde_json::from_str(&text).unwrap();
+    let report = report(room);
     assert_eq!(report.len(), keys.len(), "{text}");
 
     let mut scene = Description::parse(SMALL).unwrap();
@@ -432,8 +437,7 @@ fn a_sheet_at_rest_is_not_computed() {
     let damped = SMALL.replace("[environment]", "[environment]\ndrag = 5.0");
     fs::write(room.join("resting.toml"), format!("{damped}[rest]\n")).unwrap();
     let stdout = succeeds(room, &["resting.toml", "--csv", "--every", "1000", "--frames", "1000"]);
-    let text = fs::read_to_string(room.join("out/report.json")).unwrap();
-    let report: BTreeMap<String, serde_json::Value> = serde_json::from_str(&text).unwrap();
+    let report = report(room);
     let at_rest = report["frames_at_rest"].as_u64().unwrap();
     assert!(
         (500..1000).contains(&at_rest) && stdout.contains(&format!("at rest           {at_rest} frames")),
@@ -477,15 +481,31 @@ fn the_command_line_overrides_the_file() {
     let room = room();
     let room = room.path();
     fs::write(room.join("swept.toml"), SMALL.replace("substeps = 4", "substeps = 4\nsweeps = 1")).unwrap();
-    let digest = |scene: &str, iterations: &[&str]| {
+    let report = |scene: &str, iterations: &[&str]| {
         succeeds(room, &[&[scene, "--solver", "lines", "--csv"], iterations].concat());
-        let text = fs::read_to_string(room.join("out/report.json")).unwrap();
-        let report: BTreeMap<String, serde_json::Value> = serde_json::from_str(&text).unwrap();
-        report["digest"].clone()
+        report(room)
     };
-    let three = digest("small.toml", &["--iterations", "3"]);
-    assert_ne!(digest("swept.toml", &[]), three);
-    assert_eq!(digest("swept.toml", &["--iterations", "3"]), three);
+    let three = report("small.toml", &["--iterations", "3"]);
+    assert_eq!((three.get("sweeps"), &three["iterations"]), (None, &3.into()));
+    let swept = report("swept.toml", &[]);
+    assert_eq!(swept["sweeps"], 1);
+    assert_ne!(swept["digest"], three["digest"]);
+    let overridden = report("swept.toml", &["--iterations", "3"]);
+    assert_eq!(overridden["digest"], three["digest"]);
+    assert_eq!(overridden.get("sweeps"), None);
+}
+
+/// In fixed point it would come back at the other end.
+#[test]
+fn a_sheet_that_falls_out_of_range_is_reported() {
+    let room = room();
+    let room = room.path();
+    let beside_the_ball = SMALL.replace("origin = [-0.5,", "origin = [5.0,");
+    fs::write(room.join("free.toml"), beside_the_ball.replace("pins = [[0, 0], [3, 0]]", "")).unwrap();
+    for (scalar, frames, finite) in [("q24", "140", true), ("q24", "160", false), ("f32", "160", true)] {
+        succeeds(room, &["free.toml", "--csv", "--scalar", scalar, "--frames", frames]);
+        assert_eq!(report(room)["finite"], finite, "{scalar} after {frames} frames");
+    }
 }
 
 #[test]
@@ -560,9 +580,8 @@ fn sheets_that_blow_up_are_reported_and_drawn() {
     let room = room.path();
     fs::write(room.join("wild.toml"), SMALL.replace("stiffness = 100.0", "stiffness = 1e9")).unwrap();
     succeeds(room, &["wild.toml", "--solver", "forward-euler", "--frames", "50", "--png", "--every", "10"]);
-    let report = fs::read_to_string(room.join("out/report.json")).unwrap();
     assert_eq!(names(&room.join("out")).len(), 7);
-    let report: BTreeMap<String, serde_json::Value> = serde_json::from_str(&report).unwrap();
+    let report = report(room);
     assert_eq!(report["finite"], false);
     for key in ["max_strain_motion", "max_strain_end"] {
         for family in ["stretch", "shear"] {

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-use kerchief::host::{Description, ScalarKind, Simulation, Strain, Strains};
+use kerchief::host::{Description, ScalarKind, Simulation, SolverKind, Strain, Strains};
 use serde::Serialize;
 
 /// A number for each link family; nothing for a family that the scene does not have. What is not finite is `null` in JSON.
@@ -52,6 +52,9 @@ pub(crate) struct Report {
     frames_at_rest: u32,
     substeps: u32,
     iterations: u32,
+    /// Of lines, where the scene says it: then `iterations` don't count.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sweeps: Option<u32>,
     seconds: f64,
     steps_per_second: f64,
     particle_steps_per_second: f64,
@@ -120,6 +123,7 @@ impl Watch {
             frames_at_rest: self.at_rest,
             substeps: scene.solver.substeps,
             iterations: scene.solver.iterations,
+            sweeps: scene.solver.sweeps.filter(|_| scene.solver.kind == SolverKind::Lines),
             seconds,
             steps_per_second,
             particle_steps_per_second: steps_per_second * particles as f64,
@@ -138,7 +142,8 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { scene, scalar, solver, columns, rows, frames, substeps, iterations, .. } = self;
         writeln!(f, "scene             {scene}: {columns} x {rows} particles, {frames} frames")?;
-        writeln!(f, "solver            {solver} in {scalar}, {substeps} substeps, {iterations} iterations")?;
+        let relaxation = self.sweeps.map_or(format!("{iterations} iterations"), |sweeps| format!("{sweeps} sweeps"));
+        writeln!(f, "solver            {solver} in {scalar}, {substeps} substeps, {relaxation}")?;
         if self.frames_at_rest > 0 {
             writeln!(f, "at rest           {} frames", self.frames_at_rest)?;
         }

@@ -12,7 +12,7 @@ use crate::vec3::Vec3;
 pub struct Sphere<S> {
     /// Its centre at the start of the frame, cells.
     pub centre: Vec3<S>,
-    /// Its velocity, cells per tick.
+    /// Its velocity, cells per tick. In fixed point a ball that leaves the range comes back from its other end: stop it before.
     pub velocity: Vec3<S>,
     /// Coulomb's coefficient of friction.
     pub friction: S,

@@ -70,6 +70,7 @@ mod obstacles;
 mod painter;
 mod parts;
 mod quantity;
+mod range;
 mod resolve;
 mod run;
 mod shape;

@@ -8,6 +8,7 @@ use super::description::{Description, Wind};
 use super::error::SceneError;
 use super::obstacles::Obstacles;
 use super::parts::{Everything, Parts};
+use super::range::Range;
 use super::shape::for_each_shape;
 use super::solver::SceneSolver;
 use crate::cloth::Cloth;
@@ -108,7 +109,7 @@ pub trait Simulation: Send {
     fn energy(&self) -> f64;
     /// 32-bit FNV-1a over the bits of the state: see [`digest`].
     fn digest(&self) -> u32;
-    /// Whether every number of the state is finite.
+    /// Whether every number of the state is finite and no particle has left the range of a fixed-point type, where it comes back from the other end.
     fn is_finite(&self) -> bool;
     /// Whether the sheet is at rest, so that the next frame is not computed if nothing changes: a scene's `[rest]`.
     fn is_at_rest(&self) -> bool;
@@ -192,6 +193,7 @@ struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     cloth: Box<Cloth<S, W, H>>,
     /// Inverse masses of the sheet without pins.
     unpinned: Box<Grid<S, W, H>>,
+    range: Range<S>,
     memory: <SceneSolver as Solver<S>>::Memory<W, H>,
 }
 
@@ -206,8 +208,8 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S
         let forces = description.forces::<S, P>(&units)?;
         let (links, obstacles) = (description.links::<S, P>(&units)?, P::obstacles(description, &units)?);
         let scene = Scene::new(&units, forces, links, obstacles, SceneSolver::new::<S>(description, &units)?);
-        let memory = scene.memory();
-        Ok(Box::new(Self { units, gravity: description.gravity, scene, cloth, unpinned, memory }))
+        let (memory, range) = (scene.memory(), Range::new(&mut cloth.position.values()));
+        Ok(Box::new(Self { units, gravity: description.gravity, scene, cloth, unpinned, range, memory }))
     }
 }
 
@@ -215,6 +217,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
     fn frame(&mut self) {
         self.scene.step(&mut self.cloth, &mut self.memory);
         self.scene.advance::<S>();
+        self.range.look(&mut self.cloth.position.values());
     }
 
     fn still(&self) -> Still {
@@ -245,7 +248,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
     }
 
     fn is_finite(&self) -> bool {
-        is_finite(&self.cloth)
+        is_finite(&self.cloth) && !self.range.is_left()
     }
 
     fn is_at_rest(&self) -> bool {
@@ -271,6 +274,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
         position.change(|x| positions.next().map_or(x, |&metres| self.units.point(metres).to_vec()));
         velocity.change(|v| velocities.next().map_or(v, |&speed| Vec3::from_f64(self.units.velocity(speed).0)));
         self.scene.colliders.set_centres(&self.units, &state.still.spheres);
+        self.range = Range::new(&mut self.cloth.position.values());
         self.memory = self.scene.memory();
     }
 

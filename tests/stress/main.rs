@@ -13,3 +13,4 @@ mod ordeal;
 mod soft_springs;
 mod stage;
 mod starts;
+mod thick_air;
