@@ -80,6 +80,13 @@ pub trait Scalar:
     #[must_use]
     fn halve(self, shift: u32) -> Self;
 
+    /// The same with ties away from zero: rounded up, many of them push a sheet aside.
+    #[inline]
+    #[must_use]
+    fn halve_evenly(self, shift: u32) -> Self {
+        if self < Self::ZERO { -(-self).halve(shift) } else { self.halve(shift) }
+    }
+
     /// `self · halves/2 · 2^shift`.
     #[must_use]
     fn rate(self, halves: u32, shift: u32) -> Self;

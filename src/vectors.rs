@@ -42,6 +42,11 @@ impl<S: Scalar, const W: usize, const H: usize> Vectors<S, W, H> {
         self.0.iter().flat_map(|row| (0..W).map(|column| row.at(column)))
     }
 
+    /// The largest magnitude of a component.
+    pub fn largest(&self) -> S {
+        self.values().fold(S::ZERO, |most, Vec3 { x, y, z }| most.max(x.abs()).max(y.abs()).max(z.abs()))
+    }
+
     /// Replaces every vector, row by row, by what `change` makes of it.
     pub fn change(&mut self, mut change: impl FnMut(Vec3<S>) -> Vec3<S>) {
         for row in &mut self.0 {

@@ -1,7 +1,8 @@
 //! How close fixed point comes to f64, and what a sheet at rest does in it.
 
 use kerchief::{
-    Bend, Cloth, Drag, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Solver, Stretch, Units, Vec3, Verlet, Xpbd,
+    BackwardEuler, Bend, Cloth, Drag, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Solver, Stretch, Units,
+    Vec3, Verlet, Xpbd,
 };
 
 const SIDE: usize = 16;
@@ -166,5 +167,35 @@ fn a_sheet_at_rest_trembles_by_a_few_last_places_and_neither_creeps_nor_drifts()
         assert!(y == 0.0, "{solver} leaves its plane by {y} last places");
         assert!(x <= most && z <= most, "{solver} wanders by {x} and {z} last places");
         assert!(drift <= 0.5, "{solver} drifts by {drift} last places");
+    }
+}
+
+/// Where a sheet of a metre of so stiff springs is after ten frames by backward Euler, m.
+fn stiff<S: Scalar>(stiffness: f64) -> Vec<[f64; 3]> {
+    let units = Units::sheet([8, 8], [1.0; 2], 2e-3, 1.0 / 60.0, 1);
+    let mut cloth = Cloth::<S, 8, 8>::hang(&units, units.point([-0.5, 0.0, 0.5]));
+    cloth.pin(Node::new(0, 0));
+    cloth.pin(Node::new(7, 0));
+    let links = (
+        Stretch::new(&units, units.stiffness(stiffness)),
+        Shear::new(&units, units.stiffness(0.1 * stiffness)),
+        Bend::new(&units, units.stiffness(10.0)),
+    );
+    let forces = (Gravity::new(units.acceleration([0.0, 2.0, -9.81])), Drag::new(units.drag(1.0)));
+    let scene = Scene::new(&units, forces, links, (), BackwardEuler { newton_steps: 1 });
+    let mut memory = scene.memory();
+    (0..10).for_each(|_| scene.step(&mut cloth, &mut memory));
+    cloth.position.values().map(|x| x.to_f64().map(|cells| cells * units.cell)).collect()
+}
+
+/// Inertia beside a stiff spring is a small number, of which rounding left nothing: sheets drifted, and some flew away.
+#[test]
+fn backward_euler_has_digits_of_inertia_beside_stiff_springs() {
+    for (stiffness, most) in [(1e3, 3e-5), (1e4, 2e-4), (1e5, 2e-4)] {
+        let exact = stiff::<f64>(stiffness);
+        for (found, name) in [(stiff::<Q24>(stiffness), "q24"), (stiff::<Q13>(stiffness), "q13")] {
+            let error = distance(&found, &exact) * (SIDE - 1) as f64;
+            assert!(error < most, "{stiffness:e} N/m: {error:e} m from f64 in {name}");
+        }
     }
 }

@@ -23,7 +23,7 @@ pub(crate) const WARM_UP: u32 = 2;
 /// Frames that are counted: two, except that the line solver sweeps as often as it has to and is counted to the end of a second.
 #[allow(dead_code, reason = "a footprint counts nothing")]
 pub(crate) const fn counted(scene: &str) -> u32 {
-    if is(Some("lines"), scene) { 60 - WARM_UP } else { 2 }
+    if is(Some("lines"), scene) || is(Some("damped lines"), scene) { 60 - WARM_UP } else { 2 }
 }
 
 /// What is done with a scene.
@@ -148,6 +148,10 @@ fn play<S: Scalar, B: Bench>(bench: &mut B) {
         "leapfrog": FINE, gravity(&FINE), (stretch(&FINE), shear(&FINE)), (), Leapfrog;
         "backward Euler": ONCE, gravity(&ONCE), (stretch(&ONCE), shear(&ONCE)), (), BackwardEuler { newton_steps: 1 };
         "lines": FEW, gravity(&FEW), (stretch(&FEW), shear(&FEW)), (), LINES.0;
+        "damped lines": FEW, gravity(&FEW), (
+            Damped::new(stretch(&FEW), FEW.damping(20.0)),
+            Damped::new(shear(&FEW), FEW.damping(20.0)),
+        ), (), Lines::<7>::with_sweeps(LINES.0.sweeps);
         "xpbd, resting": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (), Resting::new(&MANY, NEVER, Xpbd);
         "xpbd, at rest": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (), Resting::new(&MANY, SOON, Xpbd);
     }

@@ -80,7 +80,7 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
     fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
         let (third, large) = (S::ONE.divide(S::from_int(3)), S::from_int(LARGE));
         let most = most(rows);
-        // Faster air is bounded anyway, and a higher pressure times it would leave fixed point.
+        // faster air is bounded anyway, and times a high pressure it would leave fixed point
         let fastest = if self.pressure > S::ONE { S::ONE } else { S::from_int(127) };
         triangles(rows, gains, |cell, corners, [a, b, c]| {
             let n = normal(corners);
@@ -88,9 +88,10 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
             let u = self.wind - (a * third + b * third + c * third);
             let length = n.length();
             let across = over(n.dot(u), length);
+            let speed = if S::FLOATS { across.abs() } else { across.abs().min(fastest) };
             let most = most[cell];
             let most = if length > large { (large * most).divide(length) } else { most };
-            n * ((self.pressure * across.abs().min(fastest)).min(most) * across)
+            n * ((self.pressure * speed).min(most) * across)
         });
     }
 

@@ -16,6 +16,11 @@ pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usi
     });
 }
 
+/// Whether a sheet of `W` × `H` particles has links of that offset.
+pub(crate) const fn fits<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usize>() -> bool {
+    ACROSS < W && DOWN < H
+}
+
 /// Calls `visit` with every row in which links of extent `DOWN` start: rows whose links share a particle lie in two colours, one after the other.
 #[inline(always)]
 pub(crate) fn each_row<const DOWN: usize, const H: usize>(mut visit: impl FnMut(usize)) {

@@ -11,10 +11,12 @@
 //!
 //! positive definite because a compressed link's sideways stiffness, which is negative, is left out. That changes the way to the root, not the root.
 
+mod gradients;
+
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::{Node, each_node};
-use crate::link::{Family, Links, Visitor, each};
+use crate::link::{Family, Links, Visitor, each, fits};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -30,16 +32,6 @@ pub struct BackwardEuler {
     /// Newton steps in a substep, at least one. One linearises the forces once, as Baraff and Witkin do; three are at the root for usual steps.
     pub newton_steps: u32,
 }
-
-/// The most conjugate-gradient steps within a Newton step. About the number of particles a side times the square root of κ suffice.
-const MOST_CONJUGATE_STEPS: u32 = 200;
-
-/// The residual, relative to that of the Newton step's start, at which conjugate gradients end.
-const TOLERANCE: f64 = 1e-3;
-
-/// The steps for which conjugate gradients go on in fixed point although the residual shrinks no more: round-off is all that is left of it, and
-/// in it they turn in circles, further out with each turn.
-const PATIENCE: u32 = 24;
 
 /// The five vectors of Newton's method and conjugate gradients.
 #[derive(Clone, Copy, Debug)]
@@ -77,11 +69,13 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
             },
             |position, velocity| [position + moment.displacement(velocity), velocity],
         );
-        let system = System { inertia, scale: scale(physics.links) };
+        let system = System { inertia, scale: scale::<S, W, H>(physics.links) };
         memory.correction = Vectors::filled(Vec3::ZERO);
         for _ in 0..self.newton_steps {
             system.residual(physics.links, particles, memory, shift);
-            system.conjugate_gradients(physics.links, particles, memory);
+            gradients::solve(memory, |direction, product| {
+                system.multiply(physics.links, particles, direction, product);
+            });
             each_node::<W, H>(|node| {
                 let step = memory.step.at(node);
                 memory.correction.add(node, step);
@@ -157,57 +151,6 @@ impl<S: Scalar> System<S> {
         }
         clear_pins(particles, product);
     }
-
-    /// Solves for `memory.step` (M. Hestenes, E. Stiefel, 1952).
-    fn conjugate_gradients<L: Links<S>, const W: usize, const H: usize>(
-        &self,
-        links: &L,
-        particles: &Particles<S, W, H>,
-        memory: &mut Memory<S, W, H>,
-    ) {
-        let Memory { step, residual, direction, product, .. } = memory;
-        *step = Vectors::filled(Vec3::ZERO);
-        *direction = *residual;
-        let tolerance = S::from_f64(TOLERANCE * TOLERANCE);
-        let start = dot(residual, residual);
-        let floor = round_off::<S, W, H>();
-        let (mut squared, mut best, mut age) = (start, start, 0);
-        for _ in 0..MOST_CONJUGATE_STEPS {
-            self.multiply(links, particles, direction, product);
-            let curvature = dot(direction, product);
-            if curvature <= S::EMPTY {
-                break;
-            }
-            let length = S::quotient(squared, curvature);
-            each_node::<W, H>(|node| {
-                step.add(node, direction.at(node) * length);
-                residual.add(node, -(product.at(node) * length));
-            });
-            let next = dot(residual, residual);
-            if next <= floor || (!S::FLOATS && age > PATIENCE) || S::quotient(next, start) < tolerance {
-                break;
-            }
-            age += 1;
-            if next < best {
-                (best, age) = (next, 0);
-            }
-            let turn = S::quotient(next, squared);
-            squared = next;
-            each_node::<W, H>(|node| {
-                direction.set(node, residual.at(node) + direction.at(node) * turn);
-            });
-        }
-    }
-}
-
-fn dot<S: Scalar, const W: usize, const H: usize>(a: &Vectors<S, W, H>, b: &Vectors<S, W, H>) -> S::Sum {
-    a.values().zip(b.values()).fold(S::EMPTY, |sum, (a, b)| S::accumulate(sum, a.dot_wide(b)))
-}
-
-/// The square of a residual that is round-off alone: in fixed point one unit of the last place in every component.
-fn round_off<S: Scalar, const W: usize, const H: usize>() -> S::Sum {
-    let place = if S::FLOATS { S::ZERO } else { S::from_f64(S::RESOLUTION) };
-    (0..3 * W * H).fold(S::EMPTY, |sum, _| S::accumulate(sum, place.product(place)))
 }
 
 fn clear_pins<S: Scalar, const W: usize, const H: usize>(
@@ -221,18 +164,21 @@ fn clear_pins<S: Scalar, const W: usize, const H: usize>(
     });
 }
 
-/// min(1, 1/κ) over all families and dampers. Rigid ones count as a million, which single precision and fixed point still resolve.
-fn scale<S: Scalar, L: Links<S>>(links: &L) -> S {
-    struct Stiffest<S>(S);
-    impl<S: Scalar> Visitor<S> for Stiffest<S> {
+/// min(1, 1/κ) over all families and dampers that have a link. The stiffest count as a million, which single
+/// precision still resolves, or as 65 536 in fixed point, whose last place such a spring takes for the force that moves a particle by 0.004 cells.
+fn scale<S: Scalar, const W: usize, const H: usize>(links: &impl Links<S>) -> S {
+    struct Stiffest<S, const W: usize, const H: usize>(S);
+    impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Stiffest<S, W, H> {
         fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-            self.0 = self.0.min(family.strength.divisor);
+            if fits::<ACROSS, DOWN, W, H>() {
+                self.0 = self.0.min(family.strength.divisor);
+            }
         }
     }
-    let mut stiffest = Stiffest(S::ONE);
+    let mut stiffest = Stiffest::<S, W, H>(S::ONE);
     links.springs(&mut stiffest);
     links.dampers(&mut stiffest);
-    stiffest.0.max(S::from_f64(1e-6))
+    stiffest.0.max(S::from_f64(if S::FLOATS { 1e-6 } else { 1.0 / 65_536.0 }))
 }
 
 /// Adds spring forces.

@@ -36,11 +36,12 @@ const KERNELS: [(&str, &str, Option<&str>, u64); 13] = [
 ];
 
 /// A frame: its scene and what it consists of.
-const FRAMES: [(&str, &str); 6] = [
+const FRAMES: [(&str, &str); 7] = [
     ("xpbd", "XPBD, 8 substeps of stretch and shear"),
     ("xpbd, at rest", "the same, at rest (`Resting`)"),
     ("verlet", "position Verlet, 8 sweeps of stretch and shear"),
     ("lines", "line solver, stretch and shear, strain under 1 %"),
+    ("damped lines", "the same with dampers in all links"),
     ("leapfrog", "leapfrog, 32 substeps of stretch and shear"),
     ("backward Euler", "backward Euler, a Newton step of stretch and shear"),
 ];

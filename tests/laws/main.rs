@@ -5,6 +5,7 @@ mod reference;
 #[path = "../rig/mod.rs"]
 mod rig;
 
+mod absent;
 mod constraints;
 mod contact;
 mod dampers;

@@ -7,7 +7,7 @@
 //! they are to others, so that passes for what is left over converge. Three make the error of third order in κ.
 
 use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, Quotient, Visitor, each};
+use crate::link::{Family, Links, Quotient, Visitor, each, fits};
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
@@ -36,7 +36,7 @@ pub(super) fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     for _ in 1..passes {
         let mut rest = start;
         for node in Grid::<S, W, H>::nodes() {
-            rest.set(node, (start.at(node) - velocity.at(node)).map(|v| unbiased(v, shift)));
+            rest.set(node, (start.at(node) - velocity.at(node)).map(|v| v.halve_evenly(shift)));
         }
         links.dampers(&mut Brake { velocity, inverse_mass, rest: &mut rest, response: axes.response, shift });
         axes.solve(inverse_mass, &mut rest);
@@ -44,11 +44,6 @@ pub(super) fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
             velocity.add(node, rest.at(node).double(shift));
         }
     }
-}
-
-/// `v / 2^shift`, ties away from zero: rounded up they would push a sheet aside.
-fn unbiased<S: Scalar>(v: S, shift: u32) -> S {
-    if v < S::ZERO { -(-v).halve(shift) } else { v.halve(shift) }
 }
 
 /// κ of a family.
@@ -67,15 +62,22 @@ pub(super) struct Axes<S> {
     down: Quotient<S>,
 }
 
-impl<S: Scalar> Visitor<S> for Axes<S> {
+/// Adds up [`Axes`] of the families that have a link.
+struct Sum<S, const W: usize, const H: usize>(Axes<S>);
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Sum<S, W, H> {
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        let strength = strength(family, self.response);
+        if !fits::<ACROSS, DOWN, W, H>() {
+            return;
+        }
+        let Self(axes) = self;
+        let strength = strength(family, axes.response);
         let links = if ACROSS > 0 && DOWN > 0 { 2 } else { 1 };
         for _ in 0..links * ACROSS * ACROSS {
-            self.across = self.across.plus(strength);
+            axes.across = axes.across.plus(strength);
         }
         for _ in 0..links * DOWN * DOWN {
-            self.down = self.down.plus(strength);
+            axes.down = axes.down.plus(strength);
         }
     }
 }
@@ -108,9 +110,10 @@ const fn none<S: Scalar>() -> Quotient<S> {
 
 impl<S: Scalar> Axes<S> {
     /// None if there are none: a scene that is put together while the program runs may have none.
-    pub(super) fn of<L: Links<S>>(links: &L, response: S) -> Option<Self> {
-        let mut axes = Self { response, across: none(), down: none() };
-        links.dampers(&mut axes);
+    pub(super) fn of<const W: usize, const H: usize>(links: &impl Links<S>, response: S) -> Option<Self> {
+        let mut sum = Sum::<S, W, H>(Self { response, across: none(), down: none() });
+        links.dampers(&mut sum);
+        let Sum(axes) = sum;
         (axes.across.dividend > S::ZERO || axes.down.dividend > S::ZERO).then_some(axes)
     }
 
@@ -119,9 +122,7 @@ impl<S: Scalar> Axes<S> {
         let mut shift = 0;
         if !S::FLOATS {
             let all = self.across.plus(self.down);
-            let most =
-                velocity.values().fold(S::ZERO, |most, Vec3 { x, y, z }| most.max(x.abs()).max(y.abs()).max(z.abs()));
-            let most = all.dividend * most.halve(2).max(S::ONE.halve(6));
+            let most = all.dividend * velocity.largest().halve(2).max(S::ONE.halve(6));
             while all.divisor.double(shift) < most {
                 shift += 1;
             }
@@ -174,11 +175,13 @@ fn solve_line<S: Scalar, const N: usize>(strength: Quotient<S>, w: &[S; N], v: &
         pivots[0] = (diagonal(k) - ahead * coupling).recip();
         impulse.set(k, right * pivots[0]);
     }
-    for k in (middle + 1..links).rev() {
-        let coupling = if k + 1 < links { w[k + 1] * dividend } else { S::ZERO };
+    // counted this way a compiler sees that nothing is out of bounds
+    for turn in 0..links - 1 - middle {
+        let k = links - 1 - turn;
+        let coupling = if turn > 0 { w[k + 1] * dividend } else { S::ZERO };
         let ahead = coupling * pivots[1];
         let mut right = missing(v, k);
-        if k + 1 < links {
+        if turn > 0 {
             factor[k + 1] = ahead;
             right += impulse.at(k + 1) * coupling;
         }
@@ -307,7 +310,7 @@ mod tests {
             let mut before = f64::MAX;
             for passes in 1..30 {
                 let mut end = v;
-                diffuse(&links, &w, &mut end, &Axes::of(&links, 1.0).unwrap(), passes);
+                diffuse(&links, &w, &mut end, &Axes::of::<W, H>(&links, 1.0).unwrap(), passes);
                 let found = left_over(&links, &w, &v, &end);
                 assert!(found <= before.max(1e-14), "κ = {kappa}, {passes} passes: {found:e} after {before:e}");
                 assert!(passes != PASSES || found < most, "κ = {kappa}: {found:e}");
@@ -328,7 +331,7 @@ mod tests {
                 let links = dampers(kappa);
                 for passes in [1, PASSES] {
                     let mut end = v;
-                    diffuse(&links, &w, &mut end, &Axes::of(&links, S::ONE).unwrap(), passes);
+                    diffuse(&links, &w, &mut end, &Axes::of::<W, H>(&links, S::ONE).unwrap(), passes);
                     let after = energy(&end);
                     assert!(after < energy(&v), "κ = {kappa}, {passes} passes in {}: {after}", S::NAME);
                 }
@@ -346,7 +349,7 @@ mod tests {
             let (v, w) = (velocities::<Q24>(), Grid::filled(Q24::ONE));
             let mut end = v;
             let links = dampers(kappa);
-            diffuse(&links, &w, &mut end, &Axes::of(&links, Q24::ONE).unwrap(), PASSES);
+            diffuse(&links, &w, &mut end, &Axes::of::<W, H>(&links, Q24::ONE).unwrap(), PASSES);
             assert_eq!(momentum(&v), momentum(&end), "κ = {kappa}");
             assert!(end != v);
         }
@@ -357,7 +360,7 @@ mod tests {
         let v = Vec3::from_f64([0.1, -2.3, 4.5]);
         let mut velocity = Vectors::<Q24, W, H>::filled(v);
         let links = dampers(3.0);
-        diffuse(&links, &Grid::filled(Q24::ONE), &mut velocity, &Axes::of(&links, Q24::ONE).unwrap(), PASSES);
+        diffuse(&links, &Grid::filled(Q24::ONE), &mut velocity, &Axes::of::<W, H>(&links, Q24::ONE).unwrap(), PASSES);
         assert!(velocity.values().all(|found| found == v));
     }
 
@@ -372,7 +375,7 @@ mod tests {
         };
         let run = |mut v: Vectors<f32, W, H>| {
             let links = dampers(2.0);
-            diffuse(&links, &Grid::filled(1.0), &mut v, &Axes::of(&links, 1.0).unwrap(), PASSES);
+            diffuse(&links, &Grid::filled(1.0), &mut v, &Axes::of::<W, H>(&links, 1.0).unwrap(), PASSES);
             v
         };
         let v = velocities();
