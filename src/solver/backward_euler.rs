@@ -15,7 +15,7 @@ mod gradients;
 
 use crate::collider::Collider;
 use crate::force::Force;
-use crate::grid::{Node, each_node};
+use crate::grid::{Grid, Node, each_node};
 use crate::link::{Family, Links, Visitor, each, fits};
 use crate::moment::Moment;
 use crate::particles::Particles;
@@ -70,10 +70,11 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
             |position, velocity| [position + moment.displacement(velocity), velocity],
         );
         let system = System { inertia, scale: scale::<S, W, H>(physics.links) };
+        let heaviest = system.heaviest(particles);
         memory.correction = Vectors::filled(Vec3::ZERO);
         for _ in 0..self.newton_steps {
             system.residual(physics.links, particles, memory, shift);
-            gradients::solve(memory, |direction, product| {
+            gradients::solve(memory, heaviest, |direction, product| {
                 system.multiply(physics.links, particles, direction, product);
             });
             each_node::<W, H>(|node| {
@@ -96,6 +97,11 @@ struct System<S> {
 impl<S: Scalar> System<S> {
     fn mass<const W: usize, const H: usize>(&self, particles: &Particles<S, W, H>, node: Node) -> S {
         (self.scale * self.inertia).divide(particles.inverse_mass[node])
+    }
+
+    fn heaviest<const W: usize, const H: usize>(&self, particles: &Particles<S, W, H>) -> S {
+        let masses = Grid::<S, W, H>::nodes().filter(|&node| !particles.is_pinned(node));
+        masses.map(|node| self.mass(particles, node)).fold(S::ZERO, S::max)
     }
 
     /// κ over the largest κ.

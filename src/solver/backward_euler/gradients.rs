@@ -23,15 +23,19 @@ const PATIENCE: u32 = 24;
 /// The largest component of what fixed point multiplies: a sum of products over the 12 links of a particle then stays in range.
 const LARGE: i32 = 2;
 
+/// The largest product of a component with a particle's mass, likewise.
+const HEAVY: i32 = 64;
+
 /// The longest step and the sharpest turn in fixed point, likewise.
 const LONG: i32 = 16;
 
 /// The logarithm to base 2 of by how much more than [`LARGE`] a particle moves at most, cells.
 const FAR: i32 = 5;
 
-/// Solves for `memory.step` what `multiply` makes `memory.residual` of it; the residual is used up.
+/// Solves for `memory.step` what `multiply` makes `memory.residual` of it, with masses up to `heaviest`; the residual is used up.
 pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
     memory: &mut Memory<S, W, H>,
+    heaviest: S,
     multiply: impl Fn(&Vectors<S, W, H>, &mut Vectors<S, W, H>),
 ) {
     let Memory { step, residual, direction, product, .. } = memory;
@@ -39,13 +43,14 @@ pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
     *direction = *residual;
     let tolerance = S::from_f64(TOLERANCE * TOLERANCE);
     let long = S::from_int(LONG);
+    let large = S::from_int(LARGE).min(S::from_int(HEAVY).divide(heaviest));
     let mut squared = dot(residual, residual);
     // of the square at the start, now and at best
     let (mut part, mut best, mut age) = (S::ONE, S::ONE, 0);
     // residual and direction count 2^-unit
     let mut unit = 0;
     for _ in 0..MOST_STEPS {
-        let lift = room(residual.largest().max(direction.largest()));
+        let lift = room(residual.largest().max(direction.largest()), large);
         if lift != 0 {
             unit += lift;
             raise(residual, lift);
@@ -53,7 +58,7 @@ pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
             squared = dot(residual, residual);
         }
         multiply(direction, product);
-        let lift = room(product.largest());
+        let lift = room(product.largest(), S::from_int(LARGE));
         raise(product, lift);
         let curvature = dot(direction, product);
         if curvature <= S::EMPTY {
@@ -61,7 +66,7 @@ pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
         }
         let length = S::quotient(squared, curvature);
         let length = if S::FLOATS { length } else { length.min(long) };
-        if lift - unit > FAR + room(direction.largest() * length) {
+        if lift - unit > FAR + room(direction.largest() * length, S::from_int(LARGE)) {
             break;
         }
         each_node::<W, H>(|node| {
@@ -96,9 +101,9 @@ fn is_round_off<S: Scalar, const W: usize, const H: usize>(residual: &Vectors<S,
     !S::FLOATS && residual.largest() <= S::from_f64(3.0 * S::RESOLUTION).double(unit.max(0) as u32)
 }
 
-/// How often fixed point doubles a number until another time would make it [`LARGE`]; how often it halves a larger one, below zero.
-fn room<S: Scalar>(mut most: S) -> i32 {
-    let (large, mut room) = (S::from_int(LARGE), 0);
+/// How often fixed point doubles a number until another time would make it too large; how often it halves a larger one, below zero.
+fn room<S: Scalar>(mut most: S, large: S) -> i32 {
+    let mut room = 0;
     if S::FLOATS || most <= S::ZERO {
         return 0;
     }
