@@ -17,8 +17,6 @@ pub use wind::{AerodynamicWind, FacetWind};
 pub trait Force<S: Scalar> {
     /// Whether the force is a field that [`particles`](Self::particles) or [`cells`](Self::cells) evaluates.
     const FIELD: bool = false;
-    /// Whether the field depends on velocities.
-    const FOLLOWS_VELOCITY: bool = false;
     /// Whether there is drag.
     const DRAG: bool = false;
     /// Whether [`uniform`](Self::uniform) may be anything but zero. A force that says no costs no addition: adding zero is not nothing for a
@@ -35,6 +33,12 @@ pub trait Force<S: Scalar> {
     #[inline]
     fn drag(&self) -> Slowdown<S> {
         Slowdown::NONE
+    }
+
+    /// Whether the field depends on velocities, so that leapfrog evaluates it twice.
+    #[inline]
+    fn follows_velocity(&self) -> bool {
+        false
     }
 
     /// Adds the velocities that the particles of a row would gain in a substep if their mass were 1 (cells per tick).
@@ -159,7 +163,6 @@ impl<S: Scalar> Force<S> for () {
 /// A force that is there or not, decided while the program runs.
 impl<S: Scalar, T: Force<S>> Force<S> for Option<T> {
     const FIELD: bool = T::FIELD;
-    const FOLLOWS_VELOCITY: bool = T::FOLLOWS_VELOCITY;
     const DRAG: bool = T::DRAG;
     const UNIFORM: bool = T::UNIFORM;
 
@@ -182,6 +185,11 @@ impl<S: Scalar, T: Force<S>> Force<S> for Option<T> {
     }
 
     #[inline]
+    fn follows_velocity(&self) -> bool {
+        self.as_ref().is_some_and(T::follows_velocity)
+    }
+
+    #[inline]
     fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut Vec3<[S; W]>) {
         if let Some(force) = self {
             force.particles(row, gain);
@@ -200,7 +208,6 @@ macro_rules! tuple {
     ($($name:ident),+) => {
         impl<S: Scalar, $($name: Force<S>),+> Force<S> for ($($name,)+) {
             const FIELD: bool = $($name::FIELD)||+;
-            const FOLLOWS_VELOCITY: bool = $($name::FOLLOWS_VELOCITY)||+;
             const DRAG: bool = $($name::DRAG)||+;
             const UNIFORM: bool = $($name::UNIFORM)||+;
 
@@ -228,6 +235,13 @@ macro_rules! tuple {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
                 Slowdown::NONE$(.and($name.drag()))+
+            }
+
+            #[inline]
+            fn follows_velocity(&self) -> bool {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.follows_velocity())||+
             }
 
             #[inline]

@@ -19,8 +19,12 @@ const PART: u32 = 3;
 
 impl Force<Q13> for Breeze {
     const FIELD: bool = true;
-    const FOLLOWS_VELOCITY: bool = true;
     const UNIFORM: bool = false;
+
+    #[inline]
+    fn follows_velocity(&self) -> bool {
+        true
+    }
 
     #[inline]
     fn cells<const W: usize>(&self, [top, bottom]: [Row<'_, Q13, W>; 2], [upper, lower]: [&mut Vec3<[Q13; W]>; 2]) {

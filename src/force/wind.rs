@@ -73,8 +73,12 @@ impl<S: Scalar> AerodynamicWind<S> {
 
 impl<S: Scalar> Force<S> for AerodynamicWind<S> {
     const FIELD: bool = true;
-    const FOLLOWS_VELOCITY: bool = true;
     const UNIFORM: bool = false;
+
+    #[inline]
+    fn follows_velocity(&self) -> bool {
+        true
+    }
 
     #[inline]
     fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {

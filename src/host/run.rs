@@ -217,7 +217,10 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
     fn frame(&mut self) {
         self.scene.step(&mut self.cloth, &mut self.memory);
         self.scene.advance::<S>();
-        self.range.look(&mut self.cloth.position.values());
+        // a sheet at rest is where it was
+        if !self.memory.is_at_rest() {
+            self.range.look(&mut self.cloth.position.values());
+        }
     }
 
     fn still(&self) -> Still {

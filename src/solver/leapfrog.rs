@@ -3,7 +3,7 @@
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::Grid;
-use crate::link::Links;
+use crate::link::{Family, Links, Visitor};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -45,7 +45,7 @@ impl<S: Scalar> Solver<S> for Leapfrog {
         predict::drift(particles, shift + 1);
         force_sum::gains(physics.forces, physics.links, particles, shift, gain);
         let drag = physics.forces.drag();
-        if F::FOLLOWS_VELOCITY || L::DAMPED {
+        if physics.forces.follows_velocity() || is_damped(physics.links) {
             *start = particles.velocity;
             for node in Grid::<S, W, H>::nodes() {
                 if !particles.is_pinned(node) {
@@ -67,5 +67,25 @@ impl<S: Scalar> Solver<S> for Leapfrog {
         }
         predict::drift(particles, shift + 1);
         confine(physics, particles, moment);
+    }
+}
+
+/// Whether there is a damper. Where links are known when the program is compiled, so is this.
+#[inline]
+fn is_damped<S: Scalar, L: Links<S>>(links: &L) -> bool {
+    let mut seen = Seen(false);
+    if L::DAMPED {
+        links.dampers(&mut seen);
+    }
+    seen.0
+}
+
+/// Whether a family has been seen.
+struct Seen(bool);
+
+impl<S: Scalar> Visitor<S> for Seen {
+    #[inline]
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, _family: &Family<S>) {
+        self.0 = true;
     }
 }

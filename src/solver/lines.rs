@@ -159,8 +159,9 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         let response = part.divide(S::ONE + part * physics.forces.drag().rate);
         let softness = part * response;
         let (tension, pull) = memory.tension.split_at_mut(N - const { spare::<S, L>(N) });
-        let mut viscous =
-            pull.first_chunk_mut().and_then(|pull| Some((Pull(pull), Axes::of::<W, H>(physics.links, response)?)));
+        let mut viscous = pull
+            .first_chunk_mut()
+            .and_then(|pull| Some((Pull(pull), Axes::of(physics.links, &particles.inverse_mass, response)?)));
         let started = viscous.as_mut().map(|(pull, axes)| {
             if memory.history == History::None {
                 pull.forget();

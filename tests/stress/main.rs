@@ -8,6 +8,7 @@ mod heavy_pair;
 mod held_row;
 mod large_triangles;
 mod light_border;
+mod light_row;
 mod materials;
 mod ordeal;
 mod soft_springs;

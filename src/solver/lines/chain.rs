@@ -57,6 +57,14 @@ impl<S: Scalar> Eliminated<S> {
     }
 }
 
+/// A link's own coefficient, for the inverse masses of its ends together. A taut chain between two pins has no pivot but for the divisor: of what a number can tell
+/// from the inverse masses of light particles, a little is left.
+#[inline(always)]
+fn diagonal<S: Scalar>(inverse_mass: S, dividend: S, divisor: S) -> S {
+    let least = if S::FLOATS { inverse_mass * S::from_f64(4.0 * S::RESOLUTION) } else { inverse_mass.halve(22) };
+    inverse_mass * dividend + divisor.max(least)
+}
+
 /// Whether products with masses are skipped where all are 1: not where they cost no more than looking.
 const fn skips_masses<S: Scalar>() -> bool {
     !(S::FLOATS && SIDE_BY_SIDE)
@@ -123,7 +131,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             for k in 0..W {
                 let (here, next) = (w[k], if k + 1 < W { w[k + 1] } else { S::ZERO });
                 coupling[k] = coupling[k] * next;
-                diagonal[k] = (here + next) * dividend + heavy.scaled(divisor);
+                diagonal[k] = self::diagonal(here + next, dividend, heavy.scaled(divisor));
             }
         }
         let [mut left, mut right] = [Eliminated::NONE; 2];
@@ -260,7 +268,11 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                     let [here, next] = [u, v].map(|w| heavy.scaled(w[column]));
                     (coupling * here, here + next)
                 };
-                let diagonal = inverse_mass * dividend + heavy.scaled(divisor);
+                let diagonal = if ORDINARY {
+                    inverse_mass * dividend + divisor
+                } else {
+                    diagonal(inverse_mass, dividend, heavy.scaled(divisor))
+                };
                 let factor;
                 (above[lane], factor) = above[lane].next::<ORDINARY>(diagonal, coupling, residual);
                 normals[row].set(lane, normal);

@@ -38,7 +38,7 @@ pub(super) fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
         for node in Grid::<S, W, H>::nodes() {
             rest.set(node, (start.at(node) - velocity.at(node)).map(|v| v.halve_evenly(shift)));
         }
-        links.dampers(&mut Brake { velocity, inverse_mass, rest: &mut rest, response: axes.response, shift });
+        links.dampers(&mut Brake { velocity, inverse_mass, rest: &mut rest, axes, shift });
         axes.solve(inverse_mass, &mut rest);
         for node in Grid::<S, W, H>::nodes() {
             velocity.add(node, rest.at(node).double(shift));
@@ -46,18 +46,21 @@ pub(super) fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     }
 }
 
-/// κ of a family.
-fn strength<S: Scalar>(family: &Family<S>, response: S) -> Quotient<S> {
-    let strength = family.strength.scaled(response);
-    // in floats a little of what they can tell from nothing: a row between two pins has no other pivot
-    let least = S::from_f64(if S::FLOATS { 8.0 * S::RESOLUTION } else { WEAKEST });
-    Quotient { divisor: strength.divisor.max(least), ..strength }
+/// The least 1/κ that is solved: in floats a little of what they can tell from the largest inverse mass, since a row between two pins has no other pivot.
+fn weakest<S: Scalar, const W: usize, const H: usize>(inverse_mass: &Grid<S, W, H>) -> S {
+    if S::FLOATS {
+        inverse_mass.values().fold(S::ONE, |most, &w| most.max(w)) * S::from_f64(8.0 * S::RESOLUTION)
+    } else {
+        S::from_f64(WEAKEST)
+    }
 }
 
 /// The strength of all dampers along rows and columns.
 pub(super) struct Axes<S> {
     /// How a velocity depends on its acceleration, in units of the substep.
     response: S,
+    /// The least 1/κ of a family.
+    weakest: S,
     across: Quotient<S>,
     down: Quotient<S>,
 }
@@ -71,7 +74,7 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Sum<S, W, H> {
             return;
         }
         let Self(axes) = self;
-        let strength = strength(family, axes.response);
+        let strength = axes.strength(family);
         let links = if ACROSS > 0 && DOWN > 0 { 2 } else { 1 };
         for _ in 0..links * ACROSS * ACROSS {
             axes.across = axes.across.plus(strength);
@@ -87,13 +90,13 @@ struct Brake<'a, S, const W: usize, const H: usize> {
     velocity: &'a Vectors<S, W, H>,
     inverse_mass: &'a Grid<S, W, H>,
     rest: &'a mut Vectors<S, W, H>,
-    response: S,
+    axes: &'a Axes<S>,
     shift: u32,
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H> {
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        let Quotient { dividend, divisor } = strength(family, self.response);
+        let Quotient { dividend, divisor } = self.axes.strength(family);
         let strength = dividend.halve(self.shift).divide(divisor);
         each::<ACROSS, DOWN, W, H>(|a, b| {
             let by = (self.velocity.at(b) - self.velocity.at(a)) * strength;
@@ -110,11 +113,22 @@ const fn none<S: Scalar>() -> Quotient<S> {
 
 impl<S: Scalar> Axes<S> {
     /// None if there are none: a scene that is put together while the program runs may have none.
-    pub(super) fn of<const W: usize, const H: usize>(links: &impl Links<S>, response: S) -> Option<Self> {
-        let mut sum = Sum::<S, W, H>(Self { response, across: none(), down: none() });
+    pub(super) fn of<const W: usize, const H: usize>(
+        links: &impl Links<S>,
+        inverse_mass: &Grid<S, W, H>,
+        response: S,
+    ) -> Option<Self> {
+        let weakest = weakest(inverse_mass);
+        let mut sum = Sum::<S, W, H>(Self { response, weakest, across: none(), down: none() });
         links.dampers(&mut sum);
         let Sum(axes) = sum;
         (axes.across.dividend > S::ZERO || axes.down.dividend > S::ZERO).then_some(axes)
+    }
+
+    /// κ of a family.
+    fn strength(&self, family: &Family<S>) -> Quotient<S> {
+        let strength = family.strength.scaled(self.response);
+        Quotient { divisor: strength.divisor.max(self.weakest), ..strength }
     }
 
     /// The logarithm to base 2 of a unit in which fixed point holds what dampers do between particles of such velocities.
@@ -274,7 +288,8 @@ mod tests {
         for node in Grid::<f64, W, H>::nodes() {
             rest.set(node, v.at(node) - end.at(node));
         }
-        links.dampers(&mut Brake { velocity: end, inverse_mass: w, rest: &mut rest, response: 1.0, shift: 0 });
+        let axes = Axes::of(links, w, 1.0).unwrap();
+        links.dampers(&mut Brake { velocity: end, inverse_mass: w, rest: &mut rest, axes: &axes, shift: 0 });
         (rest.values().map(|v| v.dot(v)).sum::<f64>() / (W * H) as f64).sqrt()
     }
 
@@ -283,7 +298,7 @@ mod tests {
         for axis in 0..2 {
             let (w, v) = (masses(), velocities());
             let kappa = Quotient { dividend: 1.0, divisor: 0.2 };
-            let axes = Axes { response: 1.0, across: [kappa, none()][axis], down: [none(), kappa][axis] };
+            let axes = Axes { response: 1.0, weakest: 0.0, across: [kappa, none()][axis], down: [none(), kappa][axis] };
             let mut end = v;
             axes.solve(&w, &mut end);
             for node in Grid::<f64, W, H>::nodes() {
@@ -310,7 +325,7 @@ mod tests {
             let mut before = f64::MAX;
             for passes in 1..30 {
                 let mut end = v;
-                diffuse(&links, &w, &mut end, &Axes::of::<W, H>(&links, 1.0).unwrap(), passes);
+                diffuse(&links, &w, &mut end, &Axes::of(&links, &w, 1.0).unwrap(), passes);
                 let found = left_over(&links, &w, &v, &end);
                 assert!(found <= before.max(1e-14), "κ = {kappa}, {passes} passes: {found:e} after {before:e}");
                 assert!(passes != PASSES || found < most, "κ = {kappa}: {found:e}");
@@ -331,7 +346,7 @@ mod tests {
                 let links = dampers(kappa);
                 for passes in [1, PASSES] {
                     let mut end = v;
-                    diffuse(&links, &w, &mut end, &Axes::of::<W, H>(&links, S::ONE).unwrap(), passes);
+                    diffuse(&links, &w, &mut end, &Axes::of(&links, &w, S::ONE).unwrap(), passes);
                     let after = energy(&end);
                     assert!(after < energy(&v), "κ = {kappa}, {passes} passes in {}: {after}", S::NAME);
                 }
@@ -349,7 +364,7 @@ mod tests {
             let (v, w) = (velocities::<Q24>(), Grid::filled(Q24::ONE));
             let mut end = v;
             let links = dampers(kappa);
-            diffuse(&links, &w, &mut end, &Axes::of::<W, H>(&links, Q24::ONE).unwrap(), PASSES);
+            diffuse(&links, &w, &mut end, &Axes::of(&links, &w, Q24::ONE).unwrap(), PASSES);
             assert_eq!(momentum(&v), momentum(&end), "κ = {kappa}");
             assert!(end != v);
         }
@@ -360,7 +375,8 @@ mod tests {
         let v = Vec3::from_f64([0.1, -2.3, 4.5]);
         let mut velocity = Vectors::<Q24, W, H>::filled(v);
         let links = dampers(3.0);
-        diffuse(&links, &Grid::filled(Q24::ONE), &mut velocity, &Axes::of::<W, H>(&links, Q24::ONE).unwrap(), PASSES);
+        let w = Grid::filled(Q24::ONE);
+        diffuse(&links, &w, &mut velocity, &Axes::of(&links, &w, Q24::ONE).unwrap(), PASSES);
         assert!(velocity.values().all(|found| found == v));
     }
 
@@ -375,7 +391,8 @@ mod tests {
         };
         let run = |mut v: Vectors<f32, W, H>| {
             let links = dampers(2.0);
-            diffuse(&links, &Grid::filled(1.0), &mut v, &Axes::of::<W, H>(&links, 1.0).unwrap(), PASSES);
+            let w = Grid::filled(1.0);
+            diffuse(&links, &w, &mut v, &Axes::of(&links, &w, 1.0).unwrap(), PASSES);
             v
         };
         let v = velocities();
