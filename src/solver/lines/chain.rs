@@ -57,12 +57,12 @@ impl<S: Scalar> Eliminated<S> {
     }
 }
 
-/// A link's own coefficient, for the inverse masses of its ends together. A taut chain between two pins has no pivot but for the divisor: of what a number can tell
-/// from the inverse masses of light particles, a little is left.
+/// A link's own coefficient, for the inverse masses of its ends together. A taut chain between two pins has no pivot but for the divisor: of what floats can tell from the
+/// inverse masses of light particles, a little is left. Fixed point has none that are much larger.
 #[inline(always)]
 fn diagonal<S: Scalar>(inverse_mass: S, dividend: S, divisor: S) -> S {
-    let least = if S::FLOATS { inverse_mass * S::from_f64(4.0 * S::RESOLUTION) } else { inverse_mass.halve(22) };
-    inverse_mass * dividend + divisor.max(least)
+    let divisor = if S::FLOATS { divisor.max(inverse_mass * S::from_f64(4.0 * S::RESOLUTION)) } else { divisor };
+    inverse_mass * dividend + divisor
 }
 
 /// Whether products with masses are skipped where all are 1: not where they cost no more than looking.

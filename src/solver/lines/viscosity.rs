@@ -47,9 +47,10 @@ pub(super) fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
 }
 
 /// The least 1/κ that is solved: in floats a little of what they can tell from the largest inverse mass, since a row between two pins has no other pivot.
-fn weakest<S: Scalar, const W: usize, const H: usize>(inverse_mass: &Grid<S, W, H>) -> S {
+#[inline(never)] // of any length: written out for a grid, the chain of comparisons takes compilers ages
+fn weakest<S: Scalar>(inverse_mass: &[S]) -> S {
     if S::FLOATS {
-        inverse_mass.values().fold(S::ONE, |most, &w| most.max(w)) * S::from_f64(8.0 * S::RESOLUTION)
+        inverse_mass.iter().fold(S::ONE, |most, &w| most.max(w)) * S::from_f64(8.0 * S::RESOLUTION)
     } else {
         S::from_f64(WEAKEST)
     }
@@ -118,7 +119,7 @@ impl<S: Scalar> Axes<S> {
         inverse_mass: &Grid<S, W, H>,
         response: S,
     ) -> Option<Self> {
-        let weakest = weakest(inverse_mass);
+        let weakest = weakest(inverse_mass.0.as_flattened());
         let mut sum = Sum::<S, W, H>(Self { response, weakest, across: none(), down: none() });
         links.dampers(&mut sum);
         let Sum(axes) = sum;
