@@ -57,12 +57,11 @@ impl<S: Scalar> Eliminated<S> {
     }
 }
 
-/// A link's own coefficient, for the inverse masses of its ends together. A taut chain between two pins has no pivot but for the divisor: of what floats can tell from the
-/// inverse masses of light particles, a little is left. Fixed point has none that are much larger.
+/// The dividend in a link's own coefficient. A taut chain between two pins has no pivot but for the divisor, and what floats round of light particles' inverse masses is
+/// more: of that a little is left. Fixed point has no masses that light.
 #[inline(always)]
-fn diagonal<S: Scalar>(inverse_mass: S, dividend: S, divisor: S) -> S {
-    let divisor = if S::FLOATS { divisor.max(inverse_mass * S::from_f64(4.0 * S::RESOLUTION)) } else { divisor };
-    inverse_mass * dividend + divisor
+fn yielding<S: Scalar>(dividend: S) -> S {
+    if S::FLOATS { dividend + S::from_f64(4.0 * S::RESOLUTION) } else { dividend }
 }
 
 /// Whether products with masses are skipped where all are 1: not where they cost no more than looking.
@@ -100,6 +99,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     #[inline(always)]
     fn row<const ORDINARY: bool>(&self, particles: &mut Particles<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
         let Quotient { dividend, divisor } = self.strength;
+        let own = yielding(dividend);
         let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
         let (links, middle) = (W - 1, (W - 1) / 2);
         let x = &particles.position.0[row];
@@ -125,13 +125,13 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             coupling[k] = normal.at(k).cosine(normal_next(k)).scaled(dividend);
         }
         for k in 0..W {
-            diagonal[k] = dividend + dividend + divisor;
+            diagonal[k] = own + own + divisor;
         }
         if !ORDINARY {
             for k in 0..W {
                 let (here, next) = (w[k], if k + 1 < W { w[k + 1] } else { S::ZERO });
                 coupling[k] = coupling[k] * next;
-                diagonal[k] = self::diagonal(here + next, dividend, heavy.scaled(divisor));
+                diagonal[k] = (here + next) * own + heavy.scaled(divisor);
             }
         }
         let [mut left, mut right] = [Eliminated::NONE; 2];
@@ -247,6 +247,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             return; // said once, no column needs to be looked for
         }
         let Quotient { dividend, divisor } = self.strength;
+        let own = yielding(dividend);
         let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
         let mut normals = [Vec3::<[S; N]>::row(Vec3::ZERO); H];
         let mut factors = [[S::ZERO; N]; H];
@@ -268,11 +269,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                     let [here, next] = [u, v].map(|w| heavy.scaled(w[column]));
                     (coupling * here, here + next)
                 };
-                let diagonal = if ORDINARY {
-                    inverse_mass * dividend + divisor
-                } else {
-                    diagonal(inverse_mass, dividend, heavy.scaled(divisor))
-                };
+                let diagonal = inverse_mass * own + heavy.scaled(divisor);
                 let factor;
                 (above[lane], factor) = above[lane].next::<ORDINARY>(diagonal, coupling, residual);
                 normals[row].set(lane, normal);
