@@ -43,7 +43,8 @@ impl Edge {
     ///
     /// For shorter ones the series would overflow.
     ///
-    /// Squares wrap at 64 cells²: one link in a hundred that are longer than 7.5 cells is taken for one near its rest length, and moved by less than a cell.
+    /// Squares wrap at 64 cells²: one link in a hundred that are longer than 7.5 cells is taken for one near its rest length. A correction of it moves it by less than a
+    /// cell; who wants its direction asks whether it [is short](Self::is_short).
     #[inline(always)]
     fn near(d: [i32; 3], rest: &Rest<Fixed24<Short>>) -> Option<Self> {
         let square = rest.square.to_bits();
@@ -52,6 +53,13 @@ impl Edge {
         let [x, y, z] = each(d, |d| times(d, d));
         let e = x.wrapping_add(y).wrapping_add(z).wrapping_sub(square.wrapping_shl(2));
         ((e.wrapping_add(near) as u32) < 2 * near as u32).then_some(Self { d, e })
+    }
+
+    /// Whether no component is longer than 4 cells: then squares have not wrapped, and `d/|d|` is a direction.
+    #[inline(always)]
+    fn is_short(&self) -> bool {
+        let [x, y, z] = each(self.d, |d| d.wrapping_add(4 << EDGE));
+        ((x | y | z) as u32) < 8 << EDGE
     }
 
     /// `e·(a − e·(b − e·c))` with 20 fraction bits; a and b with 17, c with 15.
@@ -141,7 +149,7 @@ impl Kernel for Short {
 
     #[inline(always)]
     fn direction(d: [i32; 3], rest: &Rest<Fixed24<Self>>) -> (i32, [i32; 3]) {
-        let Some(edge) = Edge::near(d, rest) else { return far_direction(d, rest) };
+        let Some(edge) = Edge::near(d, rest).filter(Edge::is_short) else { return far_direction(d, rest) };
         let inverse = rest.inverse.to_bits();
         let square = rest.inverse_square.to_bits();
         let third = Self::multiply(inverse, square);
@@ -221,6 +229,22 @@ mod tests {
                     assert!((by.to_f64() - expected).abs() < bound.max(1e-6 * expected.abs()), "{length} × {stretch}");
                 }
                 stretch *= 1.007;
+            }
+        }
+    }
+
+    /// Beyond the length at which squares wrap.
+    #[test]
+    fn directions_of_long_links_are_right() {
+        let rest = Rest::<Q13>::spanning(Q13::ONE, Q13::ZERO);
+        for k in 0..200_000 {
+            let length = 3.0 + 6e-4 * f64::from(k);
+            let d = [0.36, -0.48, 0.8].map(|component| Q13::from_f64(component * length));
+            let exact = libm::sqrt(d.map(|d| d.to_f64() * d.to_f64()).iter().sum::<f64>());
+            let (excess, normal) = Q13::direction(d, &rest);
+            assert!((excess.to_f64() - (exact - 1.0)).abs() < 1e-6, "{length}: {excess:?}");
+            for (normal, d) in normal.into_iter().zip(d) {
+                assert!((normal.to_f64() - d.to_f64() / exact).abs() < 1e-5, "{length}: {normal:?}");
             }
         }
     }
