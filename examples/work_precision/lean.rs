@@ -1,6 +1,6 @@
 //! Scenes in motion, put together from no more parts than they name: what a program of one's own would run.
 
-use kerchief::host::{Bare, Basics, Counted, Description, ScalarKind, SceneError, Simulation, WindModel};
+use kerchief::host::{Bare, Counted, Description, Everything, ScalarKind, SceneError, Simulation};
 use kerchief::{Q13, Q24, Scalar};
 
 type Moving = Result<Box<dyn Simulation>, SceneError>;
@@ -16,24 +16,24 @@ pub(crate) fn moving(scene: &Description, scalar: ScalarKind) -> Moving {
     lean.unwrap_or_else(|| scene.simulation(scalar))
 }
 
-/// The same in `f32`, with its operations counted; nothing for other grids and parts.
+/// The same in `f32`, with its operations counted; nothing for other grids.
 pub(crate) fn counted(scene: &Description) -> Option<Moving> {
-    on_grid::<Counted>(scene)
+    let large = || (sides(scene) == (32, 32)).then(|| scene.simulation_on::<Everything, Counted, 32, 32>());
+    on_grid::<Counted>(scene).or_else(large)
 }
 
 /// The sheets that are compiled lean; it takes a while for each.
 fn on_grid<S: Scalar + Send>(scene: &Description) -> Option<Moving> {
     let damped = [scene.stretch, scene.shear, scene.bend].into_iter().flatten().any(|spring| spring.damping != 0.0);
-    let follows = scene.wind.is_some_and(|wind| wind.model != WindModel::Facet);
-    if damped || follows {
-        return None;
-    }
-    let calm = scene.wind.is_none();
-    let free = scene.spheres.is_empty() && scene.planes.is_empty() && scene.capsules.is_empty();
-    match (scene.sheet.columns, scene.sheet.rows) {
-        (16, 16) if calm && free => Some(scene.simulation_on::<Bare, S, 16, 16>()),
-        (32, 32) if calm && free => Some(scene.simulation_on::<Bare, S, 32, 32>()),
-        (32, 32) => Some(scene.simulation_on::<Basics, S, 32, 32>()),
+    let met = !scene.spheres.is_empty() || !scene.planes.is_empty() || !scene.capsules.is_empty();
+    match sides(scene) {
+        _ if damped || met || scene.wind.is_some() => None,
+        (16, 16) => Some(scene.simulation_on::<Bare, S, 16, 16>()),
+        (32, 32) => Some(scene.simulation_on::<Bare, S, 32, 32>()),
         _ => None,
     }
+}
+
+const fn sides(scene: &Description) -> (usize, usize) {
+    (scene.sheet.columns, scene.sheet.rows)
 }

@@ -86,7 +86,7 @@ pub use error::SceneError;
 pub use obstacles::Obstacles;
 #[cfg(feature = "graphics")]
 pub use painter::Painter;
-pub use parts::{Bare, Basics, Everything, Parts, Springs};
+pub use parts::{Bare, Everything, Parts, Springs};
 pub use quantity::MOST;
 pub use run::{ScalarKind, Simulation, State, Still, Strain, Strains};
 pub use shape::SHAPES;

@@ -70,7 +70,12 @@ impl<S: Scalar + Send> Parts<S> for Everything {
                 Fit::<S>::number("environment.wind.density", flow.pressure)?;
                 Ok((None, Some(AerodynamicWind::new(flow))))
             }
-            facet => Ok((Basics::air(units, facet)?, None)),
+            Some(Wind { velocity, model: WindModel::Facet }) => {
+                let flow = units.facet_wind(*velocity);
+                Fit::<S>::vector(VELOCITY, flow.wind)?;
+                Ok((Some(FacetWind::new(flow)), None))
+            }
+            None => Ok((None, None)),
         }
     }
 
@@ -83,36 +88,6 @@ impl<S: Scalar + Send> Parts<S> for Everything {
         let damping = units.damping(damping);
         Fit::<S>::number(format!("{table}.damping"), damping.dividend)?;
         Ok(Damped::new(springs, damping))
-    }
-
-    fn obstacles(scene: &Description, units: &Units) -> Result<Solids<S>, SceneError> {
-        scene.solids(units)
-    }
-}
-
-/// Scenes whose forces don't depend on velocities: neither dampers in links nor aerodynamic wind.
-#[derive(Clone, Copy, Debug)]
-pub enum Basics {}
-
-impl<S: Scalar + Send> Parts<S> for Basics {
-    type Air = Option<FacetWind<S>>;
-    type Springs<L: Springs<S>> = L;
-    type Obstacles = Solids<S>;
-
-    fn air(units: &Units, wind: Option<&Wind>) -> Result<Self::Air, SceneError> {
-        match wind {
-            None => Ok(None),
-            Some(Wind { velocity, model: WindModel::Facet }) => {
-                let flow = units.facet_wind(*velocity);
-                Fit::<S>::vector(VELOCITY, flow.wind)?;
-                Ok(Some(FacetWind::new(flow)))
-            }
-            Some(_) => Err(SceneError::new("environment.wind.model", "aerodynamic wind is not among the basics")),
-        }
-    }
-
-    fn springs<L: Springs<S>>(_: &Units, table: &str, springs: L, damping: f64) -> Result<L, SceneError> {
-        undamped(table, springs, damping)
     }
 
     fn obstacles(scene: &Description, units: &Units) -> Result<Solids<S>, SceneError> {
@@ -134,7 +109,11 @@ impl<S: Scalar + Send> Parts<S> for Bare {
     }
 
     fn springs<L: Springs<S>>(_: &Units, table: &str, springs: L, damping: f64) -> Result<L, SceneError> {
-        undamped(table, springs, damping)
+        if damping == 0.0 {
+            Ok(springs)
+        } else {
+            Err(SceneError::new(format!("{table}.damping"), "these springs have no dampers"))
+        }
     }
 
     fn obstacles(scene: &Description, _: &Units) -> Result<(), SceneError> {
@@ -142,14 +121,6 @@ impl<S: Scalar + Send> Parts<S> for Bare {
             [("sphere", scene.spheres.len()), ("plane", scene.planes.len()), ("capsule", scene.capsules.len())];
         let found = present.into_iter().find(|(_, count)| *count > 0);
         found.map_or(Ok(()), |(table, _)| Err(SceneError::new(table, "a bare sheet has nothing in its way")))
-    }
-}
-
-fn undamped<L>(table: &str, springs: L, damping: f64) -> Result<L, SceneError> {
-    if damping == 0.0 {
-        Ok(springs)
-    } else {
-        Err(SceneError::new(format!("{table}.damping"), "these springs have no dampers"))
     }
 }
 
@@ -186,20 +157,22 @@ mod tests {
         substeps = 4
     "#;
 
-    fn digest<P: Parts<f32>>(scene: &Description) -> u32 {
-        let mut moving = scene.simulation_on::<P, f32, 4, 4>().unwrap();
-        (0..25).for_each(|_| moving.frame());
-        moving.digest()
+    /// The same without wind and ball.
+    fn calm() -> Description {
+        Description { wind: None, spheres: Vec::new(), ..Description::parse(SCENE).unwrap() }
     }
 
     #[test]
     fn fewer_parts_give_the_same_bits() {
-        let mut scene = Description::parse(SCENE).unwrap();
+        fn digest<P: Parts<f32>>(scene: &Description) -> u32 {
+            let mut moving = scene.simulation_on::<P, f32, 4, 4>().unwrap();
+            (0..25).for_each(|_| moving.frame());
+            moving.digest()
+        }
+        let mut scene = calm();
         for kind in SolverKind::ALL {
             scene.solver.kind = kind;
-            assert_eq!(digest::<Basics>(&scene), digest::<Everything>(&scene), "{kind:?}");
-            let calm = Description { wind: None, spheres: Vec::new(), ..scene.clone() };
-            assert_eq!(digest::<Bare>(&calm), digest::<Everything>(&calm), "{kind:?}");
+            assert_eq!(digest::<Bare>(&scene), digest::<Everything>(&scene), "{kind:?}");
         }
     }
 
@@ -211,10 +184,10 @@ mod tests {
             moving.frame();
             Counted::operations().total()
         }
-        let mut scene = Description::parse(SCENE).unwrap();
+        let mut scene = calm();
         for kind in SolverKind::ALL {
             scene.solver.kind = kind;
-            let (all, needed) = (operations::<Everything>(&scene), operations::<Basics>(&scene));
+            let (all, needed) = (operations::<Everything>(&scene), operations::<Bare>(&scene));
             // whether a family has dampers, each time it is visited
             assert!(100 * (all - needed) < needed, "{kind:?}: {all}, {needed}");
         }
@@ -222,18 +195,17 @@ mod tests {
 
     #[test]
     fn what_is_not_there_is_refused() {
-        fn refused<P: Parts<f32>>(scene: &Description) -> Option<std::string::String> {
-            scene.simulation_on::<P, f32, 4, 4>().err().map(|error| error.key)
+        fn refused(scene: &Description) -> Option<std::string::String> {
+            scene.simulation_on::<Bare, f32, 4, 4>().err().map(|error| error.key)
         }
-        let scene = |from: &str, to: &str| Description::parse(&SCENE.replace(from, to)).unwrap();
-        let calm = Description { wind: None, ..scene("", "") };
-        assert_eq!(refused::<Bare>(&scene("", "")).as_deref(), Some("environment.wind"));
-        assert_eq!(refused::<Bare>(&calm).as_deref(), Some("sphere"));
-        assert_eq!(refused::<Bare>(&Description { spheres: Vec::new(), ..calm }), None);
-        let refused = |from: &str, to: &str| refused::<Basics>(&scene(from, to));
-        assert_eq!(refused("", ""), None);
+        let parsed = |from: &str, to: &str| Description::parse(&SCENE.replace(from, to)).unwrap();
+        let (wind, spheres) = (parsed("", "").wind, parsed("", "").spheres);
+        assert_eq!(refused(&calm()), None);
+        assert_eq!(refused(&Description { wind, ..calm() }).as_deref(), Some("environment.wind"));
+        assert_eq!(refused(&Description { spheres, ..calm() }).as_deref(), Some("sphere"));
+        let refused =
+            |from: &str, to: &str| refused(&Description { wind: None, spheres: Vec::new(), ..parsed(from, to) });
         assert_eq!(refused("stiffness = 10.0", "stiffness = 10.0\ndamping = 0.1").as_deref(), Some("shear.damping"));
-        assert_eq!(refused("facet", "aerodynamic").as_deref(), Some("environment.wind.model"));
         assert_eq!(refused(" = 4\n        rows = 4", " = 8\n        rows = 8").as_deref(), Some("cloth.columns"));
     }
 }

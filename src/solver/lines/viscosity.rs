@@ -66,15 +66,24 @@ pub(super) struct Axes<S> {
     down: Quotient<S>,
 }
 
-/// Adds up [`Axes`] of the families that have a link.
-struct Sum<S, const W: usize, const H: usize>(Axes<S>);
+/// Adds up [`Axes`] of the families that damp a link.
+struct Sum<'a, S, const W: usize, const H: usize> {
+    axes: Option<Axes<S>>,
+    inverse_mass: &'a Grid<S, W, H>,
+    response: S,
+}
 
-impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Sum<S, W, H> {
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Sum<'_, S, W, H> {
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         if !fits::<ACROSS, DOWN, W, H>() {
             return;
         }
-        let Self(axes) = self;
+        let axes = self.axes.get_or_insert_with(|| Axes {
+            response: self.response,
+            weakest: weakest(self.inverse_mass.0.as_flattened()),
+            across: none(),
+            down: none(),
+        });
         let strength = axes.strength(family);
         let links = if ACROSS > 0 && DOWN > 0 { 2 } else { 1 };
         for _ in 0..links * ACROSS * ACROSS {
@@ -119,11 +128,9 @@ impl<S: Scalar> Axes<S> {
         inverse_mass: &Grid<S, W, H>,
         response: S,
     ) -> Option<Self> {
-        let weakest = weakest(inverse_mass.0.as_flattened());
-        let mut sum = Sum::<S, W, H>(Self { response, weakest, across: none(), down: none() });
+        let mut sum = Sum { axes: None, inverse_mass, response };
         links.dampers(&mut sum);
-        let Sum(axes) = sum;
-        (axes.across.dividend > S::ZERO || axes.down.dividend > S::ZERO).then_some(axes)
+        sum.axes.filter(|axes| axes.across.dividend > S::ZERO || axes.down.dividend > S::ZERO)
     }
 
     /// κ of a family.
