@@ -20,8 +20,11 @@ pub use sphere::Sphere;
 
 /// Something in the sheet's way.
 pub trait Collider<S: Scalar> {
-    /// Whether there is anything at all.
-    const PRESENT: bool = true;
+    /// Whether there is anything at all: where not, nothing is computed for it.
+    #[inline]
+    fn is_present(&self) -> bool {
+        true
+    }
 
     /// How a particle at `position`, `moved` so far in this substep, meets a surface; `None` where it may stay.
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>>;
@@ -111,7 +114,7 @@ pub(crate) fn touch<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
     moved: impl Fn(&Particles<S, W, H>, Node) -> Vec3<S>,
     mut act: impl FnMut(&mut Particles<S, W, H>, Node, Contact<S>),
 ) {
-    if !C::PRESENT {
+    if !colliders.is_present() {
         return;
     }
     for row in 0..H {
@@ -147,7 +150,10 @@ fn gap<S: Scalar>(low: Vec3<S>, high: Vec3<S>, point: Vec3<S>) -> Vec3<S> {
 }
 
 impl<S: Scalar> Collider<S> for () {
-    const PRESENT: bool = false;
+    #[inline]
+    fn is_present(&self) -> bool {
+        false
+    }
 
     #[inline]
     fn contact(&self, _moment: Moment, _position: Vec3<S>, _moved: Vec3<S>) -> Option<Contact<S>> {
@@ -159,6 +165,11 @@ impl<S: Scalar> Collider<S> for () {
 }
 
 impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {
+    #[inline]
+    fn is_present(&self) -> bool {
+        self.iter().any(T::is_present)
+    }
+
     #[inline]
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         let mut total = None;
@@ -188,6 +199,11 @@ impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {
 }
 
 impl<S: Scalar, T: Collider<S>, const N: usize> Collider<S> for heapless::Vec<T, N> {
+    #[inline]
+    fn is_present(&self) -> bool {
+        self.as_slice().is_present()
+    }
+
     #[inline]
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         self.as_slice().contact(moment, position, moved)
@@ -226,7 +242,12 @@ fn then<S: Scalar, T: Collider<S>>(
 macro_rules! tuple {
     ($($name:ident),+) => {
         impl<S: Scalar, $($name: Collider<S>),+> Collider<S> for ($($name,)+) {
-            const PRESENT: bool = $($name::PRESENT)||+;
+            #[inline]
+            fn is_present(&self) -> bool {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.is_present())||+
+            }
 
             #[inline]
             fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {

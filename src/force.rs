@@ -15,13 +15,17 @@ pub use wind::{AerodynamicWind, FacetWind};
 ///
 /// What a force leaves at its default costs nothing.
 pub trait Force<S: Scalar> {
-    /// Whether the force is a field that [`particles`](Self::particles) or [`cells`](Self::cells) evaluates.
-    const FIELD: bool = false;
     /// Whether there is drag.
     const DRAG: bool = false;
     /// Whether [`uniform`](Self::uniform) may be anything but zero. A force that says no costs no addition: adding zero is not nothing for a
     /// float, which knows two of them.
     const UNIFORM: bool = true;
+
+    /// Whether the force is a field that [`particles`](Self::particles) or [`cells`](Self::cells) evaluates.
+    #[inline]
+    fn is_field(&self) -> bool {
+        false
+    }
 
     /// The velocity that every particle gains in a substep whatever its mass (cells per tick).
     #[inline]
@@ -162,9 +166,13 @@ impl<S: Scalar> Force<S> for () {
 
 /// A force that is there or not, decided while the program runs.
 impl<S: Scalar, T: Force<S>> Force<S> for Option<T> {
-    const FIELD: bool = T::FIELD;
     const DRAG: bool = T::DRAG;
     const UNIFORM: bool = T::UNIFORM;
+
+    #[inline]
+    fn is_field(&self) -> bool {
+        self.as_ref().is_some_and(T::is_field)
+    }
 
     #[inline]
     fn uniform(&self) -> Vec3<S> {
@@ -207,9 +215,15 @@ impl<S: Scalar, T: Force<S>> Force<S> for Option<T> {
 macro_rules! tuple {
     ($($name:ident),+) => {
         impl<S: Scalar, $($name: Force<S>),+> Force<S> for ($($name,)+) {
-            const FIELD: bool = $($name::FIELD)||+;
             const DRAG: bool = $($name::DRAG)||+;
             const UNIFORM: bool = $($name::UNIFORM)||+;
+
+            #[inline]
+            fn is_field(&self) -> bool {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.is_field())||+
+            }
 
             #[inline]
             fn uniform(&self) -> Vec3<S> {

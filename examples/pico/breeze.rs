@@ -18,8 +18,12 @@ const BITS: u32 = 13;
 const PART: u32 = 3;
 
 impl Force<Q13> for Breeze {
-    const FIELD: bool = true;
     const UNIFORM: bool = false;
+
+    #[inline]
+    fn is_field(&self) -> bool {
+        true
+    }
 
     #[inline]
     fn follows_velocity(&self) -> bool {

@@ -24,8 +24,12 @@ impl<S: Scalar> FacetWind<S> {
 }
 
 impl<S: Scalar> Force<S> for FacetWind<S> {
-    const FIELD: bool = true;
     const UNIFORM: bool = false;
+
+    #[inline]
+    fn is_field(&self) -> bool {
+        true
+    }
 
     #[inline]
     fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
@@ -72,8 +76,12 @@ impl<S: Scalar> AerodynamicWind<S> {
 }
 
 impl<S: Scalar> Force<S> for AerodynamicWind<S> {
-    const FIELD: bool = true;
     const UNIFORM: bool = false;
+
+    #[inline]
+    fn is_field(&self) -> bool {
+        true
+    }
 
     #[inline]
     fn follows_velocity(&self) -> bool {

@@ -94,6 +94,10 @@ impl<S: Scalar + Send> Obstacles<S> for Solids<S> {
 }
 
 impl<S: Scalar> Collider<S> for Solids<S> {
+    fn is_present(&self) -> bool {
+        self.0.as_slice().is_present()
+    }
+
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         self.0.as_slice().contact(moment, position, moved)
     }

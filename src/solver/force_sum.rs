@@ -18,7 +18,7 @@ pub(super) fn gains<S: Scalar, F: Force<S>, L: Links<S>, const W: usize, const H
     gain: &mut Vectors<S, W, H>,
 ) {
     *gain = Vectors::filled(Vec3::ZERO);
-    if F::FIELD {
+    if forces.is_field() {
         let mut row_gain = Vec3::row(Vec3::ZERO);
         for row in 0..H {
             let below = field(forces, particles, row, &mut row_gain);

@@ -144,7 +144,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
     ) {
         let first_order = memory.history == History::Rough;
         // what friction looks back to
-        let start = C::PRESENT.then_some(particles.position);
+        let start = physics.colliders.is_present().then_some(particles.position);
         if first_order {
             predict::first_order(physics.forces, particles, memory, moment);
         } else {

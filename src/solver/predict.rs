@@ -18,7 +18,7 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     next: impl Fn(Vec3<S>, Vec3<S>) -> Vec3<S>,
     go: impl Fn(Vec3<S>, Vec3<S>) -> [Vec3<S>; 2],
 ) {
-    let uniform = forces.uniform();
+    let (is_field, uniform) = (forces.is_field(), forces.uniform());
     let mut gain = Vec3::row(Vec3::ZERO);
     for row in 0..H {
         let below = field(forces, particles, row, &mut gain);
@@ -31,7 +31,7 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
                     // exact in fixed point, where looking costs less than three products
                     if !S::FLOATS && inverse_mass == S::ONE { gain } else { gain * inverse_mass }
                 };
-                let gain = if F::FIELD { own(gain.at(column)) + uniform } else { uniform };
+                let gain = if is_field { own(gain.at(column)) + uniform } else { uniform };
                 velocity = next(velocity, gain);
             }
             let [position, velocity] = go(particles.position.at(node), velocity);
@@ -51,7 +51,7 @@ pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     gain: &mut Vec3<[S; W]>,
 ) -> Vec3<[S; W]> {
     let mut below = Vec3::row(Vec3::ZERO);
-    if F::FIELD {
+    if forces.is_field() {
         let at = |row: usize| Row {
             position: &particles.position.0[row],
             velocity: &particles.velocity.0[row],

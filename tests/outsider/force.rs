@@ -18,7 +18,10 @@ impl<S: Scalar> Trap<S> {
 }
 
 impl<S: Scalar> Force<S> for Trap<S> {
-    const FIELD: bool = true;
+    #[inline]
+    fn is_field(&self) -> bool {
+        true
+    }
 
     fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut Vec3<[S; W]>) {
         for column in 0..W {

@@ -42,10 +42,10 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
     let rule = Rule { third, two_thirds, sixth: third.halve(1), moment };
     let drag = forces.drag().rate;
     let slowed = (S::ONE + two_thirds * drag).recip();
-    let uniform = forces.uniform();
+    let (is_field, uniform) = (forces.is_field(), forces.uniform());
     let start = memory.history == History::None;
     let mut gain = Vec3::row(Vec3::ZERO);
-    let mut here = if F::FIELD { Some(ahead(particles, memory, 0, start, moment)) } else { None };
+    let mut here = if is_field { Some(ahead(particles, memory, 0, start, moment)) } else { None };
     for row in 0..H {
         let mut below_gain = Vec3::row(Vec3::ZERO);
         if let Some([position, velocity]) = &here {
@@ -61,7 +61,7 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
         let velocity = particles.velocity.0[row];
         let mut earlier = core::mem::replace(&mut memory.earlier.0[row], velocity);
         for column in 0..W {
-            let by = if F::FIELD { gain.at(column) * particles.inverse_mass.0[row][column] + uniform } else { uniform };
+            let by = if is_field { gain.at(column) * particles.inverse_mass.0[row][column] + uniform } else { uniform };
             gain.set(column, by * two_thirds);
             if start {
                 let v = velocity.at(column);
