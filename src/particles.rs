@@ -38,13 +38,6 @@ impl<S: Scalar, const W: usize, const H: usize> Particles<S, W, H> {
         self.velocity.add(node, moment.velocity(by));
     }
 
-    /// Moves `a` by `by` and `b` against it, each times its inverse mass.
-    #[inline]
-    pub fn pull(&mut self, a: Node, b: Node, by: Vec3<S>, moment: Moment) {
-        self.displace(a, by * self.inverse_mass[a], moment);
-        self.displace(b, -(by * self.inverse_mass[b]), moment);
-    }
-
     /// Whether a particle is pinned.
     pub fn is_pinned(&self, node: Node) -> bool {
         self.inverse_mass[node] == S::ZERO

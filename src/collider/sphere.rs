@@ -12,7 +12,7 @@ use crate::vec3::Vec3;
 pub struct Sphere<S> {
     /// Its centre at the start of the frame, cells.
     pub centre: Vec3<S>,
-    /// Its velocity, cells per tick. In fixed point a ball that leaves the range comes back from its other end: stop it before.
+    /// Its velocity, cells per tick. In fixed point a ball stops at the end of the range, where it has no room for another tick.
     pub velocity: Vec3<S>,
     /// Coulomb's coefficient of friction.
     pub friction: S,
@@ -73,5 +73,50 @@ impl<S: Scalar> Collider<S> for Sphere<S> {
     #[inline]
     fn advance(&mut self, end: Moment) {
         self.centre += self.velocity * end.ticks();
+        // it would come back from the other end
+        if !S::FLOATS && wraps(self.centre, self.velocity) {
+            self.velocity = Vec3::ZERO;
+        }
+    }
+}
+
+/// Whether a sum wraps.
+fn wraps<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> bool {
+    let wraps = |a: S, b: S| (a + b < a) != (b < S::ZERO);
+    wraps(a.x, b.x) || wraps(a.y, b.y) || wraps(a.z, b.z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Q13, Q24};
+
+    #[test]
+    fn balls_stop_at_the_end_of_the_range() {
+        fn check<S: Scalar>() {
+            let frame = Moment { substep: 3, substeps: 3, shift: 2, halves: 2 };
+            for axis in 0..3 {
+                for velocity in [0.9, 7.3, 100.0, -0.9, -7.3, -100.0] {
+                    let mut velocities = [0.0, 0.0, 0.01];
+                    velocities[axis] = velocity;
+                    let centre = Vec3::from_f64([1.0, -2.0, 3.0]);
+                    let mut ball =
+                        Sphere { centre, velocity: Vec3::from_f64(velocities), friction: S::ZERO, reach: S::ONE };
+                    let mut ticks = 0.0;
+                    while ball.velocity != Vec3::ZERO {
+                        ball.advance(frame);
+                        ticks += 0.75;
+                        let travelled = ball.centre.to_f64()[axis] - centre.to_f64()[axis];
+                        assert!((travelled - velocity * ticks).abs() < 1e-5, "{velocity} in {}: {travelled}", S::NAME);
+                    }
+                    let room = S::LARGEST - ball.centre.to_f64()[axis].abs();
+                    assert!(room < velocity.abs(), "{velocity} in {}: {room} cells from the end", S::NAME);
+                    ball.advance(frame);
+                    assert!(S::LARGEST - ball.centre.to_f64()[axis].abs() == room, "it stays there");
+                }
+            }
+        }
+        check::<Q24>();
+        check::<Q13>();
     }
 }

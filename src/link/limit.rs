@@ -80,13 +80,16 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Shorten<'_, S, W,
             if squared.partial_cmp(&square) != Some(Ordering::Greater) {
                 return;
             }
-            let inverse_mass = self.particles.inverse_mass[a] + self.particles.inverse_mass[b];
-            if inverse_mass == S::ZERO {
+            let [wa, wb] = [a, b].map(|node| self.particles.inverse_mass[node]);
+            if wa + wb == S::ZERO {
                 return;
             }
             self.found = true;
-            let part = (S::ONE - target.divide(S::root(squared))).divide(inverse_mass);
-            self.particles.pull(a, b, d * part, self.moment);
+            let part = S::ONE - target.divide(S::root(squared));
+            // parts of a part: over the inverse masses of heavy particles it is more than fixed point holds
+            let [of_a, of_b] = [wa, wb].map(|w| part * w.divide(wa + wb));
+            self.particles.displace(a, d * of_a, self.moment);
+            self.particles.displace(b, -(d * of_b), self.moment);
         });
     }
 }

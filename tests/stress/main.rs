@@ -5,6 +5,7 @@ mod elasticity;
 mod far_links;
 mod hands;
 mod heavy_border;
+mod heavy_limit;
 mod heavy_pair;
 mod held_row;
 mod large_triangles;
