@@ -145,7 +145,7 @@ fn bounds<S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> [Vec3<S>; 2] {
 /// The way from a box to a point outside it, without signs; zero where the point is inside.
 #[inline]
 fn gap<S: Scalar>(low: Vec3<S>, high: Vec3<S>, point: Vec3<S>) -> Vec3<S> {
-    let along = |low: S, high: S, x: S| (low - x).max(x - high).max(S::ZERO);
+    let along = |low: S, high: S, x: S| low.difference(x).max(x.difference(high)).max(S::ZERO);
     Vec3::new(along(low.x, high.x, point.x), along(low.y, high.y, point.y), along(low.z, high.z, point.z))
 }
 

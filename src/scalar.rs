@@ -91,6 +91,13 @@ pub trait Scalar:
     #[must_use]
     fn rate(self, halves: u32, shift: u32) -> Self;
 
+    /// `self − other`, as of places that may be further apart than fixed point holds: then the largest number of that sign.
+    #[inline]
+    #[must_use]
+    fn difference(self, other: Self) -> Self {
+        self - other
+    }
+
     /// The exact (fixed point) or rounded (float) product.
     fn product(self, other: Self) -> Self::Product;
 

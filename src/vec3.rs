@@ -57,6 +57,13 @@ impl<S: Scalar> Vec3<S> {
         S::narrow(self.dot_wide(other))
     }
 
+    /// The way from `other` to here, by [`Scalar::difference`].
+    #[inline]
+    #[must_use]
+    pub fn difference(self, other: Self) -> Self {
+        Self::new(self.x.difference(other.x), self.y.difference(other.y), self.z.difference(other.z))
+    }
+
     /// The vector product.
     #[inline]
     #[must_use]

@@ -10,10 +10,12 @@ use crate::vec3::Vec3;
 /// All points within a radius of a line segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Capsule<S> {
-    start: Vec3<S>,
+    /// The middle of the segment: whatever reaches the capsule is no further from it than fixed point holds.
+    middle: Vec3<S>,
     /// The unit vector along the segment.
     axis: Vec3<S>,
-    length: S,
+    /// Half the length of the segment.
+    half: S,
     /// Radius and margin together, cells.
     reach: S,
     /// Coulomb's coefficient of friction.
@@ -28,7 +30,14 @@ impl<S: Scalar> Capsule<S> {
         let segment = end - start;
         let length = segment.length();
         let axis = if length == S::ZERO { Vec3::ZERO } else { segment.map(|component| component.divide(length)) };
-        Self { start, axis, length, reach: S::from_f64(radius.0) + S::from_f64(margin.0), friction: S::ZERO }
+        let middle = start.halve(1) + end.halve(1);
+        Self {
+            middle,
+            axis,
+            half: length.halve(1),
+            reach: S::from_f64(radius.0) + S::from_f64(margin.0),
+            friction: S::ZERO,
+        }
     }
 
     /// The same capsule with friction.
@@ -41,9 +50,9 @@ impl<S: Scalar> Capsule<S> {
 impl<S: Scalar> Collider<S> for Capsule<S> {
     #[inline]
     fn contact(&self, _moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
-        let from_start = position - self.start;
-        let along = from_start.dot(self.axis).max(S::ZERO).min(self.length);
-        let d = from_start - self.axis * along;
+        let from_middle = position.difference(self.middle);
+        let along = from_middle.dot(self.axis).max(-self.half).min(self.half);
+        let d = from_middle - self.axis * along;
         let squared = d.squared();
         // no contact: no root
         if squared >= self.reach.product(self.reach) {
@@ -57,19 +66,20 @@ impl<S: Scalar> Collider<S> for Capsule<S> {
 
     #[inline]
     fn fingerprint(&self, print: &mut Fingerprint) {
-        print.vector(self.start);
+        print.vector(self.middle);
         print.vector(self.axis);
-        print.numbers([self.length, self.reach, self.friction]);
+        print.numbers([self.half, self.reach, self.friction]);
     }
 
     #[inline]
     fn reaches(&self, _moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
         // the box around the segment, and a little more than the reach, for rounding
-        let end = self.start + self.axis * self.length;
+        let to_end = self.axis * self.half;
+        let [start, end] = [self.middle - to_end, self.middle + to_end];
         let reach = self.reach + self.reach.halve(10);
-        let apart = |low: S, high: S, a: S, b: S| a.min(b) - high > reach || low - a.max(b) > reach;
-        !(apart(low.x, high.x, self.start.x, end.x)
-            || apart(low.y, high.y, self.start.y, end.y)
-            || apart(low.z, high.z, self.start.z, end.z))
+        let apart = |low: S, high: S, a: S, b: S| a.min(b).difference(high) > reach || low.difference(a.max(b)) > reach;
+        !(apart(low.x, high.x, start.x, end.x)
+            || apart(low.y, high.y, start.y, end.y)
+            || apart(low.z, high.z, start.z, end.z))
     }
 }

@@ -27,6 +27,16 @@ impl<S: Scalar> Plane<S> {
         Self { point: point.to_vec(), normal, friction: S::ZERO, margin: S::from_f64(margin.0) }
     }
 
+    /// How far a place is in front of the plane. In fixed point differences of places would wrap; of products, which are exact, none is lost.
+    #[inline]
+    fn height(&self, place: Vec3<S>) -> S {
+        if S::FLOATS {
+            (place - self.point).dot(self.normal)
+        } else {
+            S::narrow(place.dot_wide(self.normal) + (-self.point).dot_wide(self.normal))
+        }
+    }
+
     /// The same plane with friction.
     #[must_use]
     pub fn with_friction(self, friction: S) -> Self {
@@ -37,7 +47,7 @@ impl<S: Scalar> Plane<S> {
 impl<S: Scalar> Collider<S> for Plane<S> {
     #[inline]
     fn contact(&self, _moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
-        let depth = self.margin - (position - self.point).dot(self.normal);
+        let depth = self.margin.difference(self.height(position));
         (depth > S::ZERO).then(|| Contact::smooth(self.normal, depth).rough(self.friction, moved))
     }
 
@@ -54,6 +64,6 @@ impl<S: Scalar> Collider<S> for Plane<S> {
         let deepest = |low: S, high: S, normal: S| if normal > S::ZERO { low } else { high };
         let Vec3 { x, y, z } = self.normal;
         let corner = Vec3::new(deepest(low.x, high.x, x), deepest(low.y, high.y, y), deepest(low.z, high.z, z));
-        (corner - self.point).dot(self.normal) < self.margin
+        self.height(corner) < self.margin
     }
 }

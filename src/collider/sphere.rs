@@ -44,7 +44,7 @@ impl<S: Scalar> Collider<S> for Sphere<S> {
     #[inline]
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
         let travelled = self.velocity * moment.ticks();
-        let d = position - (self.centre + travelled);
+        let d = position.difference(self.centre + travelled);
         let squared = d.squared();
         // no contact: no root
         if squared >= self.reach.product(self.reach) {

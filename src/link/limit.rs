@@ -87,9 +87,9 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Shorten<'_, S, W,
             self.found = true;
             let part = S::ONE - target.divide(S::root(squared));
             // parts of a part: over the inverse masses of heavy particles it is more than fixed point holds
-            let [of_a, of_b] = [wa, wb].map(|w| part * w.divide(wa + wb));
-            self.particles.displace(a, d * of_a, self.moment);
-            self.particles.displace(b, -(d * of_b), self.moment);
+            let share = wa.divide(wa + wb);
+            self.particles.displace(a, d * (part * share), self.moment);
+            self.particles.displace(b, -(d * (part * (S::ONE - share))), self.moment);
         });
     }
 }

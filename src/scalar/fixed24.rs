@@ -198,6 +198,11 @@ impl<K: Kernel> Scalar for Fixed24<K> {
     }
 
     #[inline]
+    fn difference(self, other: Self) -> Self {
+        Self::from_bits(self.to_bits().saturating_sub(other.to_bits()))
+    }
+
+    #[inline]
     fn product(self, other: Self) -> Wide {
         Wide::new(signed(self.to_bits(), other.to_bits()))
     }

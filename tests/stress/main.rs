@@ -2,6 +2,7 @@
 
 mod day;
 mod elasticity;
+mod far_colliders;
 mod far_links;
 mod hands;
 mod heavy_border;
