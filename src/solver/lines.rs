@@ -20,6 +20,7 @@ mod contact;
 mod ease;
 mod flicker;
 mod heavy;
+mod held_back;
 mod pairs;
 mod predict;
 mod pull;

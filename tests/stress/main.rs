@@ -18,3 +18,4 @@ mod soft_springs;
 mod stage;
 mod starts;
 mod thick_air;
+mod torn_chains;

@@ -22,6 +22,7 @@ use crate::vectors::{SIDE_BY_SIDE, ahead, behind, columns};
 
 use super::ease::{TAUT, ease};
 use super::heavy::Heavy;
+use super::held_back::{harmless, held_back, held_back_column};
 use super::{displace, displace_row};
 
 /// Columns that are solved side by side, where a machine computes several numbers at once: two of its vectors of `f32`.
@@ -35,6 +36,8 @@ pub(super) struct Chain<'a, S, const W: usize, const H: usize> {
     pub(super) rounding: Rounding,
     pub(super) ordinary: &'a Ordinary<W, H>,
     pub(super) heavy: Heavy,
+    /// The least inverse mass over the largest that is more than 1.
+    pub(super) span: S,
 }
 
 /// What elimination leaves of one link's equation: the change of its multiplier is `right + factor · (change of the next)`.
@@ -98,7 +101,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     #[inline(always)]
     fn row<const ORDINARY: bool>(&self, particles: &mut Particles<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
-        let Quotient { dividend, divisor } = self.strength;
+        let dividend = self.strength.dividend;
         let own = yielding(dividend);
         let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
         let (links, middle) = (W - 1, (W - 1) / 2);
@@ -119,6 +122,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         for k in 0..W {
             worst = worst.max(residual[k].abs());
         }
+        let divisor = self.divisor::<ORDINARY, W>(worst, || held_back(&residual, &w));
         // of each link with the one after it
         let normal_next = ahead::<1, S, W>(&normal);
         for k in columns::<2, 0, W>() {
@@ -131,7 +135,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             for k in 0..W {
                 let (here, next) = (w[k], if k + 1 < W { w[k + 1] } else { S::ZERO });
                 coupling[k] = coupling[k] * next;
-                diagonal[k] = (here + next) * own + heavy.scaled(divisor);
+                diagonal[k] = (here + next) * own + divisor;
             }
         }
         let [mut left, mut right] = [Eliminated::NONE; 2];
@@ -175,7 +179,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         change[links] = S::ZERO;
         let mut pull = Vec3::row(Vec3::ZERO);
         for k in 0..W {
-            tension[k] += change[k];
+            tension[k] = tension[k].difference(-change[k]); // does not wrap
             pull.set(k, normal.at(k).of_length(self.strength.times_dividend(change[k]), self.rounding));
         }
         let before = behind::<1, S, W>(&pull);
@@ -200,79 +204,102 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         worst
     }
 
+    /// The divisor in the coefficients of a chain of `M` particles whose largest residual is `worst`, in the unit of multipliers: larger where they are held back.
+    #[inline(always)]
+    fn divisor<const ORDINARY: bool, const M: usize>(&self, worst: S, held_back: impl FnOnce() -> S) -> S {
+        let (heavy, span) = if ORDINARY { (Heavy::NONE, S::ONE) } else { (self.heavy, self.span) };
+        let divisor = heavy.scaled(self.strength.divisor);
+        if S::FLOATS || worst <= harmless::<S, M>(span) { divisor } else { divisor.max(held_back()) }
+    }
+
     /// Whether a chain whose largest multiplier this is has a tension that shakes it.
     #[inline(always)]
     fn is_taut(&self, most: S, heavy: Heavy) -> bool {
         most.scaled(self.strength.dividend) > heavy.bound(self.rest.length * S::from_f64(TAUT))
     }
 
-    /// Solves every column.
+    /// Solves every column. Returns the largest residual of those that were held back, which are far from solved.
     #[inline(never)] // one for all scenes of a grid
-    pub(super) fn columns(&self, particles: &mut Particles<S, W, H>, tension: &mut Grid<S, W, H>) {
-        let mut column = 0;
+    pub(super) fn columns(&self, particles: &mut Particles<S, W, H>, tension: &mut Grid<S, W, H>) -> S {
+        let (mut column, mut unsolved) = (0, S::ZERO);
         // where products depend on the masses of a column, every machine looks at one
         if const { !skips_masses::<S>() } {
             while column + LANES <= W {
-                self.some::<LANES>(particles, column, tension);
+                unsolved = unsolved.max(self.some::<LANES>(particles, column, tension));
                 column += LANES;
             }
             while column + 4 <= W {
-                self.some::<4>(particles, column, tension);
+                unsolved = unsolved.max(self.some::<4>(particles, column, tension));
                 column += 4;
             }
         }
         while column < W {
-            self.some::<1>(particles, column, tension);
+            unsolved = unsolved.max(self.some::<1>(particles, column, tension));
             column += 1;
         }
+        unsolved
     }
 
-    fn some<const N: usize>(&self, particles: &mut Particles<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) {
+    fn some<const N: usize>(&self, particles: &mut Particles<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) -> S {
         if const { skips_masses::<S>() } && self.ordinary.columns.iter().skip(first).take(N).all(|ordinary| *ordinary) {
-            self.side_by_side::<N, true>(particles, first, tension);
+            self.side_by_side::<N, true>(particles, first, tension)
         } else {
-            self.side_by_side::<N, false>(particles, first, tension);
+            self.side_by_side::<N, false>(particles, first, tension)
         }
     }
 
-    /// Solves `N` columns.
+    /// Solves `N` columns. Returns their largest residual where they were held back.
     #[inline(never)] // so that sheet and multipliers are known to be apart
     fn side_by_side<const N: usize, const ORDINARY: bool>(
         &self,
         particles: &mut Particles<S, W, H>,
         first: usize,
         tension: &mut Grid<S, W, H>,
-    ) {
+    ) -> S {
         if N > W || first > W - N {
-            return; // said once, no column needs to be looked for
+            return S::ZERO; // said once, no column needs to be looked for
         }
-        let Quotient { dividend, divisor } = self.strength;
+        let dividend = self.strength.dividend;
         let own = yielding(dividend);
         let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
         let mut normals = [Vec3::<[S; N]>::row(Vec3::ZERO); H];
         let mut factors = [[S::ZERO; N]; H];
         let mut changes = [[S::ZERO; N]; H];
-        let mut above = [Eliminated::NONE; N];
+        let mut worst = S::ZERO;
         for row in 0..H.saturating_sub(1) {
             let [x, y] = [&particles.position.0[row], &particles.position.0[row + 1]];
+            for lane in 0..N {
+                let column = first + lane;
+                let (excess, normal) = (y.at(column) - x.at(column)).direction(self.rest);
+                let residual = excess - heavy.scaled(self.strength.times_divisor(tension.0[row][column]));
+                if !S::FLOATS {
+                    worst = worst.max(residual.abs());
+                }
+                normals[row].set(lane, normal);
+                changes[row][lane] = residual;
+            }
+        }
+        let divisor = (0..N).fold(S::ZERO, |divisor, lane| {
+            let added = || held_back_column(&changes, lane, particles, first + lane, heavy);
+            divisor.max(self.divisor::<ORDINARY, H>(worst, added))
+        });
+        let is_held_back = divisor > heavy.scaled(self.strength.divisor);
+        let mut above = [Eliminated::NONE; N];
+        for row in 0..H.saturating_sub(1) {
             let [u, v] = [&particles.inverse_mass.0[row], &particles.inverse_mass.0[row + 1]];
             let before = if row > 0 { normals[row - 1] } else { normals[H - 1] };
             for lane in 0..N {
                 let column = first + lane;
-                let d = y.at(column) - x.at(column);
-                let (excess, normal) = d.direction(self.rest);
-                let residual = excess - heavy.scaled(self.strength.times_divisor(tension.0[row][column]));
-                let coupling = before.at(lane).cosine(normal).scaled(dividend);
+                let coupling = before.at(lane).cosine(normals[row].at(lane)).scaled(dividend);
                 let (coupling, inverse_mass) = if ORDINARY {
                     (coupling, S::ONE + S::ONE)
                 } else {
                     let [here, next] = [u, v].map(|w| heavy.scaled(w[column]));
                     (coupling * here, here + next)
                 };
-                let diagonal = inverse_mass * own + heavy.scaled(divisor);
+                let diagonal = inverse_mass * own + divisor;
                 let factor;
-                (above[lane], factor) = above[lane].next::<ORDINARY>(diagonal, coupling, residual);
-                normals[row].set(lane, normal);
+                (above[lane], factor) = above[lane].next::<ORDINARY>(diagonal, coupling, changes[row][lane]);
                 factors[row][lane] = factor;
                 changes[row][lane] = above[lane].right;
             }
@@ -296,7 +323,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             }
             let tension = &mut tension.0[link_above];
             for lane in 0..N {
-                tension[first + lane] += change[lane];
+                tension[first + lane] = tension[first + lane].difference(-change[lane]); // does not wrap
             }
             for lane in 0..N {
                 let column = first + lane;
@@ -310,6 +337,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 self.ease_column(particles, first, lane, (&normals, &changes), heavy);
             }
         }
+        if is_held_back { worst } else { S::ZERO }
     }
 
     /// Eases one of some columns, whose links have these directions and changes of multipliers.

@@ -17,15 +17,16 @@ pub(super) struct Heavy {
 }
 
 impl Heavy {
-    /// For the heaviest particle of a sheet whose rows of nothing but particles of mass 1 are `ordinary`: none up to 8 masses, since it costs digits.
+    /// For the heaviest particle of a sheet whose rows of nothing but particles of mass 1 are `ordinary`: none up to 8 masses, since it costs digits. Beside it the least
+    /// inverse mass over the largest that is more than 1, in that unit.
     #[inline]
     pub(super) fn new<S: Scalar, const W: usize, const H: usize>(
         particles: &Particles<S, W, H>,
         ordinary: &[bool; H],
-    ) -> Self {
+    ) -> (Self, S) {
         let mut heavy = Self { shift: 0 };
+        let [mut least, mut most] = [S::ONE; 2];
         if !S::FLOATS {
-            let [mut least, mut most] = [S::ONE; 2];
             for (row, _) in particles.inverse_mass.0.iter().zip(ordinary).filter(|(_, ordinary)| !**ordinary) {
                 for w in row {
                     if *w > S::ZERO {
@@ -37,7 +38,8 @@ impl Heavy {
                 heavy.shift += 1;
             }
         }
-        heavy
+        let [least, most] = [least, most].map(|w| heavy.scaled(w));
+        (heavy, if most > S::ONE { least.divide(most) } else { least })
     }
 
     /// No shift.
@@ -65,7 +67,7 @@ mod tests {
     fn shift<S: Scalar>(masses: [f64; 2]) -> u32 {
         let mut cloth = Cloth::<S, 2, 1>::BLANK;
         cloth.inverse_mass.0[0] = masses.map(|mass| S::from_f64(1.0 / mass));
-        Heavy::new(&cloth, &[false]).shift
+        Heavy::new(&cloth, &[false]).0.shift
     }
 
     #[test]

@@ -46,6 +46,8 @@ pub(super) struct Relax<'a, S, const W: usize, const H: usize> {
     rounding: Rounding,
     ordinary: Ordinary<W, H>,
     heavy: Heavy,
+    /// The least inverse mass over the largest that is more than 1.
+    span: S,
 }
 
 impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
@@ -56,7 +58,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         softness: S,
     ) -> Self {
         let ordinary = Ordinary::new(particles);
-        let heavy = Heavy::new(particles, &ordinary.rows);
+        let (heavy, span) = Heavy::new(particles, &ordinary.rows);
         let (pass, met, rounding) = (Pass::Others, S::ZERO, moment.rounding());
         Self {
             particles,
@@ -71,6 +73,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
             rounding,
             ordinary,
             heavy,
+            span,
         }
     }
 
@@ -134,14 +137,14 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         // a taut row between two pins has no pivot but for this: of what a number can tell from nothing, a little is left
         let least = S::from_f64(8.0 * S::RESOLUTION);
         let strength = Quotient { divisor: strength.divisor.max(least), ..strength };
-        let Self { moment, rounding, ref ordinary, heavy, .. } = *self;
-        let chain = Chain { rest: &family.rest, strength, moment, rounding, ordinary, heavy };
-        if const { DOWN == 0 } {
-            let worst = chain.rows(self.particles, tension);
-            self.met = self.met.max(worst * family.rest.inverse);
+        let Self { moment, rounding, ref ordinary, heavy, span, .. } = *self;
+        let chain = Chain { rest: &family.rest, strength, moment, rounding, ordinary, heavy, span };
+        let worst = if const { DOWN == 0 } {
+            chain.rows(self.particles, tension)
         } else {
-            chain.columns(self.particles, tension);
-        }
+            chain.columns(self.particles, tension)
+        };
+        self.met = self.met.max(worst * family.rest.inverse);
     }
 
     fn others<const ACROSS: usize, const DOWN: usize, const START: bool>(&mut self, family: &Family<S>, slot: usize) {

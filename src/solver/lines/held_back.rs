@@ -1,0 +1,116 @@
+//! Multipliers that fixed point does not hold.
+//!
+//! What pulls a torn chain together at once may be more than fixed point holds, and what wraps sends the chain flying. The multipliers of a chain with a free end are at
+//! most the sum of its residuals times the masses beyond their links, which those of a straight one are. Where that is not held, something is added to the diagonal
+//! (K. Levenberg, 1944): then no multiplier, nor one of a part of the chain, is larger than the largest residual over it (J. Varah, 1975).
+
+use crate::particles::Particles;
+use crate::scalar::Scalar;
+
+use super::heavy::Heavy;
+
+/// What fixed point holds.
+const RANGE: f64 = 127.0;
+
+/// Masses are counted in sixteens, so that sums of them are held.
+const SIXTEEN: u32 = 4;
+
+/// The residual up to which no chain of `M` particles needs a look, where the least inverse mass over the largest that is more than 1 is `span`.
+#[inline(always)]
+pub(super) fn harmless<S: Scalar, const M: usize>(span: S) -> S {
+    span * S::from_f64(const { 2.0 * RANGE / (M * M) as f64 })
+}
+
+/// What is added to the diagonal of a chain with these residuals and inverse masses, in the unit of multipliers. The last of `M` residuals is none.
+#[cold]
+#[inline(never)]
+pub(super) fn held_back<S: Scalar, const M: usize>(residual: &[S; M], inverse_mass: &[S; M]) -> S {
+    let saturating = |a: S, b: S| a.difference(-b);
+    let mass = inverse_mass
+        .map(|w| if w < S::ONE.halve(2 + SIXTEEN) { S::from_f64(S::LARGEST) } else { w.recip().halve(SIXTEEN) });
+    let mut before = mass;
+    for k in 1..M {
+        before[k] = saturating(before[k - 1], mass[k]);
+    }
+    let [mut after, mut multiplier, mut worst] = [S::ZERO; 3];
+    let mut most = S::ONE;
+    for k in (1..M).rev() {
+        let [here, next] = [inverse_mass[k - 1], inverse_mass[k]];
+        after = saturating(after, mass[k]);
+        most = most.max(here).max(next);
+        // what two pins do to each other moves nothing
+        if here > S::ZERO || next > S::ZERO {
+            let residual = residual[k - 1].abs();
+            worst = worst.max(residual);
+            multiplier = saturating(multiplier, S::narrow(residual.product(after.min(before[k - 1]))));
+        }
+    }
+    // a product with an inverse mass has to be held, too
+    let held = S::narrow(multiplier.product(most)) < S::from_f64(RANGE).halve(SIXTEEN);
+    if held { S::ZERO } else { worst * S::from_f64(2.0 / RANGE) * most }
+}
+
+/// The same of a column, whose residuals are one `lane` of these.
+#[cold]
+#[inline(never)]
+pub(super) fn held_back_column<S: Scalar, const N: usize, const W: usize, const H: usize>(
+    residuals: &[[S; N]; H],
+    lane: usize,
+    particles: &Particles<S, W, H>,
+    column: usize,
+    heavy: Heavy,
+) -> S {
+    let [mut residual, mut inverse_mass] = [[S::ZERO; H]; 2];
+    for row in 0..H {
+        residual[row] = residuals[row][lane];
+        inverse_mass[row] = heavy.scaled(particles.inverse_mass.0[row][column]);
+    }
+    held_back(&residual, &inverse_mass)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Q24;
+
+    /// What is added for a chain of four links that are all this much too long.
+    fn added(residual: f64, inverse_masses: [f64; 5]) -> f64 {
+        held_back(&[residual; 5].map(Q24::from_f64), &inverse_masses.map(Q24::from_f64)).to_f64()
+    }
+
+    #[test]
+    fn multipliers_are_held_back_where_they_are_not_held() {
+        // 4 + 3 + 2 + 1 masses
+        let hung = [0.0, 1.0, 1.0, 1.0, 1.0];
+        assert_eq!(added(12.6, hung), 0.0);
+        assert!((added(12.8, hung) - 12.8 * 2.0 / 127.0).abs() < 1e-6);
+        let mut other_end = hung;
+        other_end.reverse();
+        assert_eq!(
+            [12.6, 12.8].map(|residual| added(residual, other_end)),
+            [12.6, 12.8].map(|residual| added(residual, hung))
+        );
+        // of eight times the mass
+        let heavy = hung.map(|w| w / 8.0);
+        assert_eq!(added(12.6 / 8.0, heavy), 0.0);
+        assert!(added(12.8 / 8.0, heavy) > 0.0);
+        // 1 + 2 + 2 + 1 masses
+        assert_eq!(added(21.0, [1.0; 5]), 0.0);
+        assert!(added(21.3, [1.0; 5]) > 0.0);
+        // no bound between pins, and nothing that moves
+        assert!(added(0.1, [0.0, 1.0, 1.0, 1.0, 0.0]) > 0.0);
+        assert_eq!(added(100.0, [0.0; 5]), 0.0);
+    }
+
+    #[test]
+    fn few_chains_need_a_look() {
+        for residual in [0.1, 1.0, 8.0, 100.0] {
+            for w in [1.0, 0.5, 0.125, 4.0] {
+                let span = Q24::from_f64(if w > 1.0 { 1.0 } else { w });
+                if Q24::from_f64(residual) <= harmless::<Q24, 5>(span) {
+                    assert_eq!(added(residual, [0.0, w, w, w, w]), 0.0, "{residual} {w}");
+                }
+            }
+        }
+    }
+}
