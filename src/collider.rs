@@ -139,7 +139,9 @@ pub(crate) fn touch<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
 #[inline]
 fn bounds<S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> [Vec3<S>; 2] {
     let extreme = |row: &[S; W], choose: fn(S, S) -> S| row.iter().fold(row[0], |found, &x| choose(found, x));
-    [S::min, S::max].map(|choose| Vec3::new(extreme(&row.x, choose), extreme(&row.y, choose), extreme(&row.z, choose)))
+    let all =
+        |choose: fn(S, S) -> S| Vec3::new(extreme(&row.x, choose), extreme(&row.y, choose), extreme(&row.z, choose));
+    [all(S::min), all(S::max)]
 }
 
 /// The way from a box to a point outside it, without signs; zero where the point is inside.

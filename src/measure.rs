@@ -1,7 +1,7 @@
 //! What can be read off a sheet: strain, energy, momentum, bounds, digest. Nothing here changes it.
 
 use crate::grid::Grid;
-use crate::link::{Family, Links, Visitor, each};
+use crate::link::{Family, Links, Offset, Visitor};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::Units;
@@ -35,8 +35,16 @@ struct Meter<'a, S: Scalar, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Meter<'_, S, W, H> {
+    #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        each::<ACROSS, DOWN, W, H>(|a, b| {
+        self.links(family, Offset::of::<ACROSS, DOWN>());
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Meter<'_, S, W, H> {
+    #[inline(never)] // one for all families
+    fn links(&mut self, family: &Family<S>, offset: Offset) {
+        offset.each::<W, H>(|a, b| {
             let length = (self.particles.position.at(b) - self.particles.position.at(a)).length();
             let strain = (length - family.rest.length).divide(family.rest.length).abs();
             self.largest = self.largest.max(strain);
@@ -72,9 +80,17 @@ pub fn elastic_energy<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
         energy: f64,
     }
     impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Store<'_, S, W, H> {
+        #[inline]
         fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+            self.links(family, Offset::of::<ACROSS, DOWN>());
+        }
+    }
+
+    impl<S: Scalar, const W: usize, const H: usize> Store<'_, S, W, H> {
+        #[inline(never)] // one for all families
+        fn links(&mut self, family: &Family<S>, offset: Offset) {
             let strength = family.strength.dividend.to_f64() / family.strength.divisor.to_f64();
-            each::<ACROSS, DOWN, W, H>(|a, b| {
+            offset.each::<W, H>(|a, b| {
                 let d = (self.particles.position.at(b) - self.particles.position.at(a)).to_f64();
                 let elongation = libm::sqrt(dot(d, d)) - family.rest.length.to_f64();
                 self.energy += 0.5 * strength * elongation * elongation;

@@ -116,10 +116,10 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
 
 /// The bound of each cell between two rows: see [`MOST`].
 #[inline]
-fn most<S: Scalar, const W: usize>(rows: [Row<'_, S, W>; 2]) -> [S; W] {
+fn most<S: Scalar, const W: usize>([top, bottom]: [Row<'_, S, W>; 2]) -> [S; W] {
     let light = S::ONE + S::ONE.halve(2);
-    let [most, most_times_light] = [S::ONE, light].map(|w| w.halve(MOST));
-    let [top, bottom] = rows.map(|row| row.inverse_mass);
+    let (most, most_times_light) = (S::ONE.halve(MOST), light.halve(MOST));
+    let (top, bottom) = (top.inverse_mass, bottom.inverse_mass);
     let mut all = [most; W];
     if top.iter().chain(bottom).any(|w| *w > light) {
         for cell in 0..W {
@@ -158,13 +158,15 @@ fn triangles<S: Scalar, const W: usize>(
     if W < 2 {
         return;
     }
-    let [q, t] = [top.position, bottom.position].map(|row| row.components(left::<1, S, W>));
-    let [vq, vt] = [top.velocity, bottom.velocity].map(|row| row.components(left::<1, S, W>));
+    let next = |row: &Vec3<[S; W]>| row.components(left::<1, S, W>);
+    let (q, t) = (next(top.position), next(bottom.position));
+    let (vq, vt) = (next(top.velocity), next(bottom.velocity));
     let mut first = Vec3::row(Vec3::ZERO);
     let mut second = first;
     for cell in 0..W {
-        let [p, s] = [top, bottom].map(|row| (row.position.at(cell), row.velocity.at(cell)));
-        let [q, t] = [(q.at(cell), vq.at(cell)), (t.at(cell), vt.at(cell))];
+        let at = |row: &Row<'_, S, W>| (row.position.at(cell), row.velocity.at(cell));
+        let (p, s) = (at(&top), at(&bottom));
+        let (q, t) = ((q.at(cell), vq.at(cell)), (t.at(cell), vt.at(cell)));
         // apart they are inlined and done four at a time, mapped over they are one piece of a small chip's flash
         let [one, two] = if const { SIDE_BY_SIDE } {
             [gain(cell, [q.0, p.0, s.0], [q.1, p.1, s.1]), gain(cell, [t.0, q.0, s.0], [t.1, q.1, s.1])]
@@ -178,7 +180,8 @@ fn triangles<S: Scalar, const W: usize>(
         rest.set(W - 1, Vec3::ZERO);
     }
     // a particle has the gains of the cell to its right and of the one to its left
-    let [before, both_before] = [first, second].map(|row| row.components(right::<1, S, W>));
+    let previous = |row: &Vec3<[S; W]>| row.components(right::<1, S, W>);
+    let (before, both_before) = (previous(&first), previous(&second));
     for column in 0..W {
         upper.add(column, first.at(column) + both_before.at(column));
         lower.add(column, second.at(column) + (both_before.at(column) - before.at(column)));

@@ -289,7 +289,7 @@ mod tests {
 
     use super::*;
     use crate::fingerprint::Fingerprint;
-    use crate::host::{Description, Everything, ScalarKind, SolverKind};
+    use crate::host::{Description, Everything, SolverKind};
 
     /// Everything that a scene can name.
     const SCENE: &str = "
@@ -329,7 +329,7 @@ mod tests {
             let mut scene = Description::parse(&SCENE.replace("WIND", &wind)).unwrap();
             for kind in SolverKind::ALL {
                 scene.solver.kind = kind;
-                let mut plain = scene.simulation(ScalarKind::F32).unwrap();
+                let mut plain = scene.simulation_on::<Everything, f32, 4, 4>().unwrap();
                 let mut counted = scene.simulation_on::<Everything, Counted, 4, 4>().unwrap();
                 for _ in 0..25 {
                     plain.frame();

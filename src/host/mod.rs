@@ -2,13 +2,15 @@
 //! `std`).
 //!
 //! [`Description::parse`] turns the text of a scene file into plain SI numbers, or into the one line that says which key is wrong and why;
-//! [`Description::simulation`] sets it in motion; [`Painter`] draws it. [`BUILT_IN`] holds the scenes that need no file.
+//! [`Description::simulation_on`] sets it in motion; [`simulations!`](crate::simulations) chooses number type and grid while the program runs; [`Painter`] draws it.
+//! [`BUILT_IN`] holds the scenes that need no file.
 //!
 //! ```
-//! use kerchief::host::{Description, ScalarKind, built_in};
+//! use kerchief::Q24;
+//! use kerchief::host::{Description, Everything, built_in};
 //!
 //! let scene = Description::parse(built_in("gravity").unwrap().text)?;
-//! let mut simulation = scene.simulation(ScalarKind::Q24)?;
+//! let mut simulation = scene.simulation_on::<Everything, Q24, 32, 32>()?;
 //! for _ in 0..10 {
 //!     simulation.frame();
 //! }
@@ -65,6 +67,7 @@ mod description;
 mod error;
 mod file;
 mod fit;
+mod instances;
 mod obstacles;
 #[cfg(feature = "graphics")]
 mod painter;

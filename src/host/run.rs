@@ -7,9 +7,8 @@ use super::build::{Forces, SceneLinks, gravity};
 use super::description::{Description, Wind};
 use super::error::SceneError;
 use super::obstacles::Obstacles;
-use super::parts::{Everything, Parts};
+use super::parts::Parts;
 use super::range::Range;
-use super::shape::for_each_shape;
 use super::solver::SceneSolver;
 use crate::cloth::Cloth;
 use crate::grid::{Grid, Node};
@@ -134,20 +133,6 @@ pub trait Simulation: Send {
 }
 
 impl Description {
-    /// Sets the scene up in a number type.
-    ///
-    /// # Errors
-    ///
-    /// If the number type does not hold a value, with the key of the value.
-    pub fn simulation(&self, scalar: ScalarKind) -> Result<Box<dyn Simulation>, SceneError> {
-        match scalar {
-            ScalarKind::F32 => shaped::<f32>(self),
-            ScalarKind::F64 => shaped::<f64>(self),
-            ScalarKind::Q24 => shaped::<Q24>(self),
-            ScalarKind::Q13 => shaped::<Q13>(self),
-        }
-    }
-
     /// Sets the scene up from chosen parts, in a number type and on a grid that are known when the program is compiled.
     ///
     /// # Errors
@@ -172,18 +157,6 @@ impl Description {
         }
         Running::<P, S, W, H>::boxed(self)
     }
-}
-
-fn shaped<S: Scalar + Send>(description: &Description) -> Result<Box<dyn Simulation>, SceneError> {
-    macro_rules! choose {
-        ($(($columns:literal, $rows:literal, $faces:literal))*) => {
-            match (description.sheet.columns, description.sheet.rows) {
-                $(($columns, $rows) => Running::<Everything, S, $columns, $rows>::boxed(description),)*
-                _ => Err(SceneError::new("cloth.columns", "unsupported grid")),
-            }
-        };
-    }
-    for_each_shape!(choose)
 }
 
 struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {

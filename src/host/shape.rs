@@ -2,6 +2,8 @@
 
 /// Calls the macro `$then` with every supported shape, so that the list stands in one place: columns, rows, and how many faces a side a
 /// picture makes of a cell.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! for_each_shape {
     ($then:ident) => {
         $then! {

@@ -4,7 +4,7 @@
 use core::cmp::Ordering;
 
 use crate::fingerprint::Fingerprint;
-use crate::link::{Family, Links, Visitor, each};
+use crate::link::{Family, Links, Offset, Visitor};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -68,12 +68,20 @@ struct Shorten<'a, S, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Shorten<'_, S, W, H> {
+    #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        self.links(family, Offset::of::<ACROSS, DOWN>());
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Shorten<'_, S, W, H> {
+    #[inline(never)] // one for all families
+    fn links(&mut self, family: &Family<S>, offset: Offset) {
         let longest = family.rest.length * self.allowed;
         // a little shorter than allowed, so that sweeps come to an end
         let target = longest - longest.halve(10);
         let square = longest.product(longest);
-        each::<ACROSS, DOWN, W, H>(|a, b| {
+        offset.each::<W, H>(|a, b| {
             let d = self.particles.position.at(b) - self.particles.position.at(a);
             let squared = d.squared();
             // an edge that is undefined is no longer than anything

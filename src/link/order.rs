@@ -8,12 +8,55 @@ use crate::grid::Node;
 /// Links are coloured: links of one colour share no particle. So a mirrored sheet of even width is relaxed as the mirror image, to the last bit, where
 /// sweeping from left to right would lean to one side.
 #[inline]
-pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usize>(mut visit: impl FnMut(Node, Node)) {
-    each_row::<DOWN, H>(|row| {
-        in_row::<ACROSS, DOWN, W>(|a, b| {
-            visit(Node { column: a, row }, Node { column: b, row: row + DOWN });
+pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usize>(visit: impl FnMut(Node, Node)) {
+    const { assert!(ACROSS + DOWN > 0, "a link needs two particles") };
+    Offset::of::<ACROSS, DOWN>().each::<W, H>(visit);
+}
+
+/// How far apart the ends of a family's links are, as numbers: what visits links in this way is compiled once, not once for each family.
+#[derive(Clone, Copy)]
+pub(crate) struct Offset {
+    pub(crate) across: usize,
+    pub(crate) down: usize,
+}
+
+impl Offset {
+    pub(crate) const fn of<const ACROSS: usize, const DOWN: usize>() -> Self {
+        Self { across: ACROSS, down: DOWN }
+    }
+
+    /// Calls `visit` as [`each`] does.
+    #[inline(always)]
+    pub(crate) fn each<const W: usize, const H: usize>(self, mut visit: impl FnMut(Node, Node)) {
+        let diagonals = if self.across > 0 && self.down > 0 { 2 } else { 1 };
+        in_colours(self.down, H, |row, below| {
+            in_colours(self.across, W, |column, right| {
+                for diagonal in 0..diagonals {
+                    let (a, b) = if diagonal == 0 { (column, right) } else { (right, column) };
+                    visit(Node { column: a, row }, Node { column: b, row: below });
+                }
+            });
         });
-    });
+    }
+}
+
+/// Calls `visit` with both ends of every link of that extent in a line of `count` particles, `extent` links at a time, every other time.
+#[inline(always)]
+fn in_colours(extent: usize, count: usize, mut visit: impl FnMut(usize, usize)) {
+    let (block, colours) = if extent == 0 { (count, 1) } else { (extent, 2) };
+    for colour in 0..colours {
+        let mut start = colour * block;
+        while start < count {
+            for first in start..start + block {
+                let second = first + extent;
+                // both are asked for, so that neither is looked up out of bounds
+                if first < count && second < count {
+                    visit(first, second);
+                }
+            }
+            start += 2 * block;
+        }
+    }
 }
 
 /// Whether a sheet of `W` × `H` particles has links of that offset.

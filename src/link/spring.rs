@@ -6,7 +6,7 @@ use crate::scalar::{Rest, Scalar};
 use crate::units::{Strength, Units};
 
 macro_rules! springs {
-    ($(#[$doc:meta])* $name:ident, $($across:literal, $down:literal);+) => {
+    ($(#[$doc:meta])* $name:ident, $($index:literal: $across:literal, $down:literal);+) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct $name<S> {
@@ -26,10 +26,7 @@ macro_rules! springs {
         impl<S: Scalar> Links<S> for $name<S> {
             #[inline]
             fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
-                let mut rest = self.rest.iter();
-                $(if let Some(&rest) = rest.next() {
-                    visitor.family::<$across, $down>(&Family { strength: self.strength, rest });
-                })+
+                $(visitor.family::<$across, $down>(&Family { strength: self.strength, rest: self.rest[$index] });)+
             }
 
             fn fingerprint(&self, print: &mut Fingerprint) {
@@ -42,15 +39,15 @@ macro_rules! springs {
 
 springs!(
     /// Springs along rows and columns, between neighbours.
-    Stretch, 1, 0; 0, 1
+    Stretch, 0: 1, 0; 1: 0, 1
 );
 springs!(
     /// Springs along the diagonals of the cells.
-    Shear, 1, 1
+    Shear, 0: 1, 1
 );
 springs!(
     /// Springs along rows and columns, between a particle and the next but one.
-    Bend, 2, 0; 0, 2
+    Bend, 0: 2, 0; 1: 0, 2
 );
 
 /// Links with dampers beside their springs: `f = −k_d·(v_i − v_j)`.

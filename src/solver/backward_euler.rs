@@ -16,7 +16,7 @@ mod gradients;
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::{Grid, Node, each_node};
-use crate::link::{Family, Links, Visitor, each, fits};
+use crate::link::{Family, Links, Offset, Visitor, fits};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -195,9 +195,17 @@ struct Pull<'a, S, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Pull<'_, S, W, H> {
+    #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        self.links(family, Offset::of::<ACROSS, DOWN>());
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Pull<'_, S, W, H> {
+    #[inline(never)] // one for all families
+    fn links(&mut self, family: &Family<S>, offset: Offset) {
         let stiffness = self.system.stiffness(family);
-        each::<ACROSS, DOWN, W, H>(|a, b| {
+        offset.each::<W, H>(|a, b| {
             let d = self.particles.position.at(b) - self.particles.position.at(a);
             let pull = d * (S::elongation(d.squared(), &family.rest) * stiffness);
             self.residual.add(a, pull);
@@ -215,9 +223,17 @@ struct Brake<'a, S, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H> {
+    #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        self.links(family, Offset::of::<ACROSS, DOWN>());
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Brake<'_, S, W, H> {
+    #[inline(never)] // one for all families
+    fn links(&mut self, family: &Family<S>, offset: Offset) {
         let damping = self.system.stiffness(family);
-        each::<ACROSS, DOWN, W, H>(|a, b| {
+        offset.each::<W, H>(|a, b| {
             let pull = (self.particles.velocity.at(b) - self.particles.velocity.at(a)).halve(self.shift) * damping;
             self.residual.add(a, pull);
             self.residual.add(b, -pull);
@@ -234,10 +250,18 @@ struct Stiffness<'a, S, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Stiffness<'_, S, W, H> {
+    #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        self.links(family, Offset::of::<ACROSS, DOWN>());
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Stiffness<'_, S, W, H> {
+    #[inline(never)] // one for all families
+    fn links(&mut self, family: &Family<S>, offset: Offset) {
         let stiffness = self.system.stiffness(family);
         let inverse_length = family.rest.inverse;
-        each::<ACROSS, DOWN, W, H>(|a, b| {
+        offset.each::<W, H>(|a, b| {
             let d = self.particles.position.at(b) - self.particles.position.at(a);
             let elongation = S::elongation(d.squared(), &family.rest);
             let normal = d * ((S::ONE - elongation) * inverse_length);
@@ -259,9 +283,17 @@ struct Viscosity<'a, S, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Viscosity<'_, S, W, H> {
+    #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        self.links(family, Offset::of::<ACROSS, DOWN>());
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Viscosity<'_, S, W, H> {
+    #[inline(never)] // one for all families
+    fn links(&mut self, family: &Family<S>, offset: Offset) {
         let damping = self.system.stiffness(family);
-        each::<ACROSS, DOWN, W, H>(|a, b| {
+        offset.each::<W, H>(|a, b| {
             let pull = (self.direction.at(b) - self.direction.at(a)) * damping;
             self.product.add(a, -pull);
             self.product.add(b, pull);

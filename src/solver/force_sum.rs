@@ -2,7 +2,7 @@
 
 use crate::force::Force;
 use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, Visitor, each};
+use crate::link::{Family, Links, Offset, Visitor};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::predict::field;
@@ -46,8 +46,15 @@ struct Springs<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Springs<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        self.links(family, Offset::of::<ACROSS, DOWN>());
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Springs<'_, S, W, H> {
+    #[inline(never)] // one for all families
+    fn links(&mut self, family: &Family<S>, offset: Offset) {
         let stiffness = family.strength.value();
-        each::<ACROSS, DOWN, W, H>(|a, b| {
+        offset.each::<W, H>(|a, b| {
             let d = self.particles.position.at(b) - self.particles.position.at(a);
             let pull = d * (S::elongation(d.squared(), &family.rest) * stiffness);
             exchange(self.gain, a, b, pull.double(self.shift));
@@ -63,8 +70,15 @@ struct Dampers<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Dampers<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        self.links(family, Offset::of::<ACROSS, DOWN>());
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Dampers<'_, S, W, H> {
+    #[inline(never)] // one for all families
+    fn links(&mut self, family: &Family<S>, offset: Offset) {
         let damping = family.strength.value();
-        each::<ACROSS, DOWN, W, H>(|a, b| {
+        offset.each::<W, H>(|a, b| {
             exchange(self.gain, a, b, (self.particles.velocity.at(b) - self.particles.velocity.at(a)) * damping);
         });
     }

@@ -2,7 +2,7 @@
 
 use crate::force::{Force, Row};
 use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, Visitor, each};
+use crate::link::{Family, Links, Offset, Visitor};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
@@ -91,7 +91,14 @@ struct Damp<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Damp<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        each::<ACROSS, DOWN, W, H>(|a, b| {
+        self.links(family, Offset::of::<ACROSS, DOWN>());
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Damp<'_, S, W, H> {
+    #[inline(never)] // one for all families
+    fn links(&mut self, family: &Family<S>, offset: Offset) {
+        offset.each::<W, H>(|a, b| {
             let (wa, wb) = (self.particles.inverse_mass[a], self.particles.inverse_mass[b]);
             let by = (self.particles.velocity.at(b) - self.particles.velocity.at(a)) * family.strength.against(wa + wb);
             self.particles.velocity.add(a, by * wa);

@@ -7,7 +7,7 @@
 //! they are to others, so that passes for what is left over converge. Three make the error of third order in κ.
 
 use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, Quotient, Visitor, each, fits};
+use crate::link::{Family, Links, Offset, Quotient, Visitor, fits};
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
@@ -74,10 +74,17 @@ struct Sum<'a, S, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Sum<'_, S, W, H> {
+    #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        if !fits::<ACROSS, DOWN, W, H>() {
-            return;
+        if fits::<ACROSS, DOWN, W, H>() {
+            self.add(family, Offset::of::<ACROSS, DOWN>());
         }
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Sum<'_, S, W, H> {
+    #[inline(never)] // one for all families
+    fn add(&mut self, family: &Family<S>, Offset { across, down }: Offset) {
         let axes = self.axes.get_or_insert_with(|| Axes {
             response: self.response,
             weakest: weakest(self.inverse_mass.0.as_flattened()),
@@ -85,11 +92,11 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Sum<'_, S, W, H> 
             down: none(),
         });
         let strength = axes.strength(family);
-        let links = if ACROSS > 0 && DOWN > 0 { 2 } else { 1 };
-        for _ in 0..links * ACROSS * ACROSS {
+        let links = if across > 0 && down > 0 { 2 } else { 1 };
+        for _ in 0..links * across * across {
             axes.across = axes.across.plus(strength);
         }
-        for _ in 0..links * DOWN * DOWN {
+        for _ in 0..links * down * down {
             axes.down = axes.down.plus(strength);
         }
     }
@@ -105,10 +112,18 @@ struct Brake<'a, S, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H> {
+    #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        self.links(family, Offset::of::<ACROSS, DOWN>());
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Brake<'_, S, W, H> {
+    #[inline(never)] // one for all families
+    fn links(&mut self, family: &Family<S>, offset: Offset) {
         let Quotient { dividend, divisor } = self.axes.strength(family);
         let strength = dividend.halve(self.shift).divide(divisor);
-        each::<ACROSS, DOWN, W, H>(|a, b| {
+        offset.each::<W, H>(|a, b| {
             let by = (self.velocity.at(b) - self.velocity.at(a)) * strength;
             self.rest.add(a, by * self.inverse_mass[a]);
             self.rest.add(b, -(by * self.inverse_mass[b]));
