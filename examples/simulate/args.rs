@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Parser, value_parser};
 use kerchief::host::{DEFAULT_SCENE, Description, MOST, ScalarKind, SolverKind};
 
-use crate::console::{scalar_kind, solver_kind};
+use console::{scalar_kind, solver_kind};
 
 /// Runs a scene of cloth: writes an animation and a report, or opens a window.
 #[derive(Debug, Parser)]

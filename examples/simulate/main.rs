@@ -2,12 +2,8 @@
 
 mod animation;
 mod args;
-#[path = "../console/mod.rs"]
-mod console;
 mod pictures;
 mod report;
-#[path = "../studio/mod.rs"]
-mod studio;
 #[cfg(feature = "window")]
 mod window;
 
@@ -16,6 +12,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
+use instances::simulation;
 use kerchief::host::{BUILT_IN, Still};
 
 use args::Args;
@@ -37,7 +34,7 @@ fn run(args: &Args) -> Result<(), String> {
         #[cfg(not(feature = "window"))]
         return Err("--window: built without the cargo feature `window`; add --features window".to_string());
     }
-    let mut simulation = scene.simulation(args.scalar).map_err(|error| format!("{}: {error}", args.scene))?;
+    let mut simulation = simulation(&scene, args.scalar).map_err(|error| format!("{}: {error}", args.scene))?;
     staging::prepare(&args.out)?;
     let mut album = (args.animation() || args.png).then(|| Album::new(&scene));
     // Before anything is computed, because its place may be taken.

@@ -7,8 +7,8 @@ use kerchief::host::{Description, Still};
 use rayon::prelude::*;
 
 use crate::animation::{Animation, Palette};
-use crate::console::staging::{Complete, Staged};
-use crate::studio::Studio;
+use console::staging::{Complete, Staged};
+use console::studio::Studio;
 
 /// The side of a picture, pixels.
 const SIDE: u32 = 540;

@@ -10,6 +10,7 @@ use embedded_graphics::text::Text;
 use embedded_graphics::{Drawable, draw_target::DrawTarget};
 use embedded_graphics_simulator::sdl2::Keycode;
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay, SimulatorEvent, Window};
+use instances::simulation;
 use kerchief::host::{Description, Painter, ScalarKind, Simulation, SolverKind, Still, Wind, WindModel};
 
 const SIDE: u32 = 640;
@@ -95,7 +96,7 @@ struct Stage {
 
 impl Stage {
     fn new(scene: Description, scalar: ScalarKind) -> Result<Self, String> {
-        let simulation = scene.simulation(scalar).map_err(|error| error.to_string())?;
+        let simulation = simulation(&scene, scalar).map_err(|error| error.to_string())?;
         let windy = scene.wind.is_some();
         let complaint = String::new();
         Ok(Self { scene, scalar, simulation, corner: 0, windy, tilt: [0.0; 2], paused: false, complaint })
@@ -149,7 +150,7 @@ impl Stage {
     /// Goes on with another solver or number type.
     fn change(&mut self, kind: SolverKind, scalar: ScalarKind) {
         let before = std::mem::replace(&mut self.scene.solver.kind, kind);
-        match self.scene.simulation(scalar) {
+        match simulation(&self.scene, scalar) {
             Ok(mut simulation) => {
                 if self.simulation.is_finite() {
                     simulation.restore(&self.simulation.state());

@@ -2,10 +2,10 @@
 
 use kerchief::{Leapfrog, Lines, Q24, Scalar};
 
-use crate::reference::closed_forms::{hanging_chain, pendulum_frequencies, pendulum_mode};
-use crate::reference::{Family, Model, Pose, STRETCH, Sheet};
-use crate::rig::scenes::GRAVITY;
-use crate::rig::{Method, Pace, Rig, moved};
+use rig::reference::closed_forms::{hanging_chain, pendulum_frequencies, pendulum_mode};
+use rig::reference::{Family, Model, Pose, STRETCH, Sheet};
+use rig::scenes::GRAVITY;
+use rig::{Method, Pace, Rig, moved};
 
 const LINKS: f64 = 31.0;
 

@@ -2,9 +2,9 @@
 
 use kerchief::Scalar;
 
-use crate::reference::{BEND, Family, Model, Pose, SHEAR, STRETCH, Sheet, drag_of_verlet_damping};
-use crate::rig::scenes::GRAVITY;
-use crate::rig::{Method, Pace, moved, strain};
+use rig::reference::{BEND, Family, Model, Pose, SHEAR, STRETCH, Sheet, drag_of_verlet_damping};
+use rig::scenes::GRAVITY;
+use rig::{Method, Pace, moved, strain};
 
 /// 32 × 32 particles of 1 kg on 10 m, held at three corners.
 fn gravity() -> Model {
@@ -31,7 +31,7 @@ fn strain_in_motion<S: Scalar>(method: Method, substeps: u32, frames: u32) -> f6
 #[test]
 fn the_thesis_method_is_super_elastic_and_the_line_solver_is_not() {
     let model = gravity();
-    let exact = model.ode().solve(&model.start(), &crate::rig::tenths(20), 1e-4);
+    let exact = model.ode().solve(&model.start(), &rig::tenths(20), 1e-4);
     let true_strain = exact
         .states
         .iter()

@@ -2,9 +2,9 @@
 
 use kerchief::{Q24, Scalar};
 
-use crate::reference::Model;
-use crate::rig::scenes::{BREEZE, FACETS, chain, corners, curtain, flag, syrup};
-use crate::rig::{Method, Pace, largest_error, moved};
+use rig::reference::Model;
+use rig::scenes::{BREEZE, FACETS, chain, corners, curtain, flag, syrup};
+use rig::{Method, Pace, largest_error, moved};
 
 /// Asserts that a method stays within `bound` of the sheet's size over 2 s.
 fn assert_near<S: Scalar, const W: usize, const H: usize>(model: &Model, method: Method, substeps: u32, bound: f64) {

@@ -2,9 +2,9 @@
 
 use kerchief::{Q13, Q24, Scalar};
 
-use crate::reference::State;
-use crate::rig::scenes::corners;
-use crate::rig::{Method, Pace, error, moved};
+use rig::reference::State;
+use rig::scenes::corners;
+use rig::{Method, Pace, error, moved};
 
 /// Every solver, its substeps of 0.1 s, and how far it may be from itself in `f64` in `f32`, `Q24` and `Q13`, sheet sizes. Steps are as long as each holds:
 /// the shorter they are the weaker a force is that fixed point leaves out.

@@ -2,9 +2,9 @@
 
 use core::ops::Range;
 
-use crate::reference::{Model, State};
-use crate::rig::scenes::{BREEZE, FACETS, corners, flag, syrup};
-use crate::rig::{Method, Pace, carried, largest_error, moved, tenths};
+use rig::reference::{Model, State};
+use rig::scenes::{BREEZE, FACETS, corners, flag, syrup};
+use rig::{Method, Pace, carried, largest_error, moved, tenths};
 
 const FIRST: Range<f64> = 0.85..1.15;
 const SECOND: Range<f64> = 1.9..2.2;

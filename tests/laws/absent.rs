@@ -2,9 +2,9 @@
 
 use kerchief::{Q13, Q24, Scalar};
 
-use crate::reference::{Family, SHEAR};
-use crate::rig::scenes::chain;
-use crate::rig::{Method, Pace, moved};
+use rig::reference::{Family, SHEAR};
+use rig::scenes::chain;
+use rig::{Method, Pace, moved};
 
 /// Whether a chain moves to the same bits with diagonals a hundred times as stiff as its links, and as much damped.
 fn is_unchanged<S: Scalar>(method: Method) -> bool {

@@ -5,9 +5,9 @@ use kerchief::{
     Vec3, Verlet, Xpbd, measure,
 };
 
-use crate::reference::Model;
-use crate::rig::scenes::corners;
-use crate::rig::{Pace, Rig};
+use rig::reference::Model;
+use rig::scenes::corners;
+use rig::{Pace, Rig};
 
 #[test]
 fn a_moving_pin_arrives_where_it_was_told() {

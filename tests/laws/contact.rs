@@ -5,9 +5,9 @@ use kerchief::{
     Capsule, Collider, Leapfrog, Lines, Plane, Q13, Q24, Scalar, Solver, Sphere, Units, Vec3, Verlet, Xpbd,
 };
 
-use crate::reference::{Model, Pose, Sheet};
-use crate::rig::scenes::{GRAVITY, springs};
-use crate::rig::{Pace, Rig};
+use rig::reference::{Model, Pose, Sheet};
+use rig::scenes::{GRAVITY, springs};
+use rig::{Pace, Rig};
 
 fn free(gravity: [f64; 3]) -> Model {
     let sheet = Sheet::new(Pose::Lay, [8, 8], [1.0, 1.0]).with_mass(0.01).with_origin([-0.5, -0.5, 0.0]);

@@ -2,9 +2,9 @@
 
 use kerchief::{Leapfrog, Q24, Scalar, measure};
 
-use crate::reference::{Model, Pose, Sheet};
-use crate::rig::scenes::{GRAVITY, corners, springs};
-use crate::rig::{ALL, Method, Pace, Rig, moved, stirred};
+use rig::reference::{Model, Pose, Sheet};
+use rig::scenes::{GRAVITY, corners, springs};
+use rig::{ALL, Method, Pace, Rig, moved, stirred};
 
 /// A free sheet of 8 × 8 particles, 1 m, 10 g each.
 fn free(gravity: [f64; 3]) -> Model {
@@ -74,7 +74,7 @@ fn drag_slows_a_falling_sheet_as_the_closed_form_says() {
     {
         let mut motion = moved::<f64, 8, 8>(&model, Pace::new(0.05, 16), method);
         motion.run(10);
-        let [height, velocity] = crate::reference::closed_forms::fall_with_drag(GRAVITY[2], 2.0, 0.0, t);
+        let [height, velocity] = rig::reference::closed_forms::fall_with_drag(GRAVITY[2], 2.0, 0.0, t);
         let state = motion.state();
         let errors = [state.position[0][2] - height, state.velocity[0][2] - velocity];
         assert!(errors.iter().all(|e| e.abs() < bound), "{method:?}: {errors:?}");

@@ -2,9 +2,9 @@
 
 use kerchief::{Q24, Scalar};
 
-use crate::reference::Model;
-use crate::rig::scenes::corners;
-use crate::rig::{Method, Pace, moved};
+use rig::reference::Model;
+use rig::scenes::corners;
+use rig::{Method, Pace, moved};
 
 /// The largest difference between a sheet on two corners and its mirror image after 10 s, over its size.
 fn asymmetry<S: Scalar>(method: Method) -> f64 {

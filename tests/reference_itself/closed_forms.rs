@@ -1,8 +1,8 @@
 //! The reference against the cases that mathematics solves, and these against each other.
 
 use super::acceleration;
-use crate::reference::closed_forms::*;
-use crate::reference::{Family, Model, Pose, STRETCH, Sheet, State, Wind};
+use rig::reference::closed_forms::*;
+use rig::reference::{Family, Model, Pose, STRETCH, Sheet, State, Wind};
 
 const G: f64 = 9.81;
 

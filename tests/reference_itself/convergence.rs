@@ -1,7 +1,7 @@
 //! The order, the stability and the error estimate of the solution.
 
 use super::{advanced, everything, isolated};
-use crate::reference::{BEND, Family, Model, Pose, SHEAR, STRETCH, Sheet, drag_of_verlet_damping, rms_distance};
+use rig::reference::{BEND, Family, Model, Pose, SHEAR, STRETCH, Sheet, drag_of_verlet_damping, rms_distance};
 
 #[test]
 fn halving_the_step_divides_the_error_by_sixteen() {

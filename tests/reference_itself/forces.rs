@@ -1,8 +1,8 @@
 //! Masses, poses and forces of single links and cells, worked out by hand.
 
 use super::{acceleration, assert_near};
-use crate::reference::vector::{add, dot, scale};
-use crate::reference::{BEND, Family, Model, Pose, SHEAR, STRETCH, Sheet, Vector, Wind};
+use rig::reference::vector::{add, dot, scale};
+use rig::reference::{BEND, Family, Model, Pose, SHEAR, STRETCH, Sheet, Vector, Wind};
 
 #[test]
 fn poses_are_the_models() {

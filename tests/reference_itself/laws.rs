@@ -1,8 +1,8 @@
 //! What the equation of motion conserves, dissipates and mirrors.
 
 use super::{acceleration, advanced, assert_near, everything, isolated, stirred};
-use crate::reference::vector::{add, norm, scale, sub};
-use crate::reference::{Model, Pose, Sheet, Wind};
+use rig::reference::vector::{add, norm, scale, sub};
+use rig::reference::{Model, Pose, Sheet, Wind};
 
 #[test]
 fn energy_stays_without_damping() {

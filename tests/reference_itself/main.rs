@@ -1,16 +1,13 @@
 //! The reference that every solver is tested against, tested itself: the forces of single cells worked out by
 //! hand, the laws its equation obeys, the convergence of its solution, and the closed forms.
 
-#[path = "../reference/mod.rs"]
-mod reference;
-
 mod closed_forms;
 mod convergence;
 mod forces;
 mod laws;
 
-use reference::vector::{add, norm, scale, sub};
-use reference::{BEND, Family, Model, Pose, SHEAR, STRETCH, Sheet, State, Vector, Wind};
+use rig::reference::vector::{add, norm, scale, sub};
+use rig::reference::{BEND, Family, Model, Pose, SHEAR, STRETCH, Sheet, State, Vector, Wind};
 
 /// A sheet that uses every term of the equation.
 fn everything() -> Model {

@@ -1,9 +1,13 @@
 //! What programs have in common: a command line that fails in one line, scenes by name, files that appear whole.
+#![allow(
+    missing_docs,
+    clippy::missing_errors_doc,
+    clippy::missing_panics_doc,
+    reason = "not published: names and signatures say it"
+)]
 
-// Each program takes what it needs.
-#![allow(dead_code)]
-
-pub(crate) mod staging;
+pub mod staging;
+pub mod studio;
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -15,7 +19,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use kerchief::host::{BuiltIn, Description, ScalarKind, SolverKind};
 
 /// What a program ends with: an error is one line and the status 2.
-pub(crate) fn exit(result: Result<(), String>) -> ExitCode {
+pub fn exit(result: Result<(), String>) -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(reason) => {
@@ -30,13 +34,13 @@ pub(crate) fn exit(result: Result<(), String>) -> ExitCode {
 }
 
 /// A line on the standard output.
-pub(crate) fn say(line: &str) {
+pub fn say(line: &str) {
     // As above.
     let _ = writeln!(io::stdout(), "{line}");
 }
 
 /// The command line, or the one line that says what is wrong with it. Help and version print themselves and exit.
-pub(crate) fn read<A: Parser>() -> Result<A, String> {
+pub fn read<A: Parser>() -> Result<A, String> {
     A::try_parse().map_err(|error| {
         if !error.use_stderr() {
             error.exit();
@@ -49,19 +53,19 @@ pub(crate) fn read<A: Parser>() -> Result<A, String> {
 }
 
 /// The name of a number type.
-pub(crate) fn scalar_kind() -> impl TypedValueParser<Value = ScalarKind> {
+pub fn scalar_kind() -> impl TypedValueParser<Value = ScalarKind> {
     PossibleValuesParser::new(ScalarKind::ALL.map(ScalarKind::name))
         .map(|name| ScalarKind::from_name(&name).expect("one of the names above"))
 }
 
 /// The name of a solver.
-pub(crate) fn solver_kind() -> impl TypedValueParser<Value = SolverKind> {
+pub fn solver_kind() -> impl TypedValueParser<Value = SolverKind> {
     PossibleValuesParser::new(SolverKind::ALL.map(SolverKind::name))
         .map(|name| SolverKind::from_name(&name).expect("one of the names above"))
 }
 
 /// The scene of that name among `named`, or in that file: its text and its meaning.
-pub(crate) fn load(scene: &str, named: &[BuiltIn]) -> Result<(String, Description), String> {
+pub fn load(scene: &str, named: &[BuiltIn]) -> Result<(String, Description), String> {
     let text = match named.iter().find(|named| named.name == scene) {
         Some(scene) => scene.text.to_string(),
         None => std::fs::read_to_string(scene).map_err(|error| {
@@ -81,13 +85,13 @@ pub(crate) fn load(scene: &str, named: &[BuiltIn]) -> Result<(String, Descriptio
 }
 
 /// A bar on stderr; none where that is no terminal.
-pub(crate) fn progress(what: &'static str, length: u64) -> ProgressBar {
+pub fn progress(what: &'static str, length: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg:>8} {wide_bar} {pos}/{len} {eta}").expect("a template");
     ProgressBar::new(length).with_style(style).with_message(what)
 }
 
 /// A number above zero.
-pub(crate) fn positive(text: &str) -> Result<f64, String> {
+pub fn positive(text: &str) -> Result<f64, String> {
     let number: f64 = text.parse().map_err(|_| "not a number".to_string())?;
     if number > 0.0 && number.is_finite() { Ok(number) } else { Err("must be finite and above zero".to_string()) }
 }

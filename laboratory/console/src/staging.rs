@@ -17,14 +17,14 @@ static STAGED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 /// A file written beside its place and moved there when it is complete; dropped before that, it leaves nothing.
 #[derive(Debug)]
-pub(crate) struct Staged {
+pub struct Staged {
     file: BufWriter<NamedTempFile>,
     place: PathBuf,
 }
 
 impl Staged {
     /// Opens the file that will stand in `directory` under `name`; no directory may have its place.
-    pub(crate) fn create(directory: &Path, name: &str) -> Result<Self, String> {
+    pub fn create(directory: &Path, name: &str) -> Result<Self, String> {
         let place = directory.join(name);
         if place.symlink_metadata().is_ok_and(|found| found.is_dir()) {
             return Err(failed(&place, &io::ErrorKind::IsADirectory.into()));
@@ -40,31 +40,31 @@ impl Staged {
     }
 
     /// Writes what is left and closes the file.
-    pub(crate) fn complete(self) -> Result<Complete, String> {
+    pub fn complete(self) -> Result<Complete, String> {
         let file = self.file.into_inner().map_err(|error| failed(&self.place, error.error()))?;
         Ok(Complete { file: file.into_temp_path(), place: self.place })
     }
 
     /// Moves the file to its place.
-    pub(crate) fn finish(self) -> Result<(), String> {
+    pub fn finish(self) -> Result<(), String> {
         finish([self.complete()?])
     }
 
     /// `result`, with the file's name in its error.
-    pub(crate) fn named<T, E: std::fmt::Display>(&self, result: Result<T, E>) -> Result<T, String> {
+    pub fn named<T, E: std::fmt::Display>(&self, result: Result<T, E>) -> Result<T, String> {
         result.map_err(|error| format!("{}: {error}", self.place.display()))
     }
 }
 
 /// A file with everything in it, which still stands beside its place.
 #[derive(Debug)]
-pub(crate) struct Complete {
+pub struct Complete {
     file: TempPath,
     place: PathBuf,
 }
 
 /// Moves files that belong together to their places. All of them are complete, or a full disk would leave some without the others.
-pub(crate) fn finish(files: impl IntoIterator<Item = Complete>) -> Result<(), String> {
+pub fn finish(files: impl IntoIterator<Item = Complete>) -> Result<(), String> {
     // A signal waits for the last one.
     let mut staged = staged();
     files.into_iter().try_for_each(|Complete { file, place }| {
@@ -84,7 +84,7 @@ impl Write for Staged {
 }
 
 /// Makes the directory `--out` and makes sure that files can be written there; from now on a signal that ends the program removes what is staged.
-pub(crate) fn prepare(directory: &Path) -> Result<(), String> {
+pub fn prepare(directory: &Path) -> Result<(), String> {
     static SIGNALS: Once = Once::new();
     SIGNALS.call_once(clear_on_signals);
     fs::create_dir_all(directory).map_err(|error| format!("--out: {}", failed(directory, &error)))?;

@@ -11,14 +11,14 @@ const OVERSIZE: u32 = 3;
 
 /// Makes square images.
 #[derive(Debug)]
-pub(crate) struct Studio<'a> {
+pub struct Studio<'a> {
     painter: Painter<'a>,
     side: u32,
 }
 
 impl<'a> Studio<'a> {
     /// A studio for images of `side` × `side` pixels that show these moments.
-    pub(crate) fn new<'b>(
+    pub fn new<'b>(
         scene: &'a Description,
         stills: impl IntoIterator<Item = &'b Still>,
         side: u32,
@@ -29,7 +29,7 @@ impl<'a> Studio<'a> {
     }
 
     /// An image of a moment.
-    pub(crate) fn picture(&self, still: &Still) -> RgbImage {
+    pub fn picture(&self, still: &Still) -> RgbImage {
         let size = Size::new(self.side * OVERSIZE, self.side * OVERSIZE);
         let mut display = SimulatorDisplay::with_default_color(size, Rgb888::BLACK);
         let Ok(()) = self.painter.draw(still, &mut display);

@@ -1,19 +1,16 @@
 //! Scenes and states that nobody would write: none panics, none hangs, what a stable solver moves stays finite, and fixed point leaves its range only where
 //! the scene does.
 //!
-//! `PROPTEST_CASES=3000 cargo test --release --test random_scenes` looks longer. What it finds is kept in `random_scenes.regressions` and tried first. The fuzzers of
+//! `PROPTEST_CASES=3000 cargo test --release -p instances --test random_scenes` looks longer. What it finds is kept in `random_scenes.regressions` and tried first. The fuzzers of
 //! `tests/fuzz` look where the code has been least; what they keep is played here too.
-
-#[path = "fuzz/file.rs"]
-mod file;
-#[path = "fuzz/state.rs"]
-mod state;
 
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+use instances::simulation;
 use kerchief::host::{BUILT_IN, Description, ScalarKind, SolverKind, Wind, WindModel};
+use kerchief_fuzz::{file, state};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::test_runner::{FailurePersistence, FileFailurePersistence, RngSeed};
@@ -130,7 +127,7 @@ struct Seen {
 
 /// Some frames of it; nothing where the number type does not hold the scene.
 fn played(scene: &Description, scalar: ScalarKind) -> Option<Seen> {
-    let mut simulation = match scene.simulation(scalar) {
+    let mut simulation = match simulation(&scene, scalar) {
         Ok(simulation) => simulation,
         Err(error) => {
             assert!(!error.to_string().contains('\n') && !error.key.is_empty(), "{error}");
@@ -210,7 +207,7 @@ proptest! {
 
 /// What the fuzzers found worth keeping: [`fuzz`](https://rust-fuzz.github.io/book/) targets in `tests/fuzz`.
 fn corpus(target: &str) -> Vec<Vec<u8>> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fuzz/corpus").join(target);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/fuzz/corpus").join(target);
     let files = fs::read_dir(&folder).expect("a corpus");
     let corpus: Vec<_> = files.map(|file| fs::read(file.expect("an entry").path()).expect("a file")).collect();
     assert!(corpus.len() > 10, "{} is empty", folder.display());
@@ -220,5 +217,5 @@ fn corpus(target: &str) -> Vec<Vec<u8>> {
 #[test]
 fn what_fuzzers_found_moves() {
     corpus("step").iter().for_each(|bytes| state::play(bytes));
-    corpus("scene_file").iter().for_each(|bytes| file::play(bytes));
+    corpus("scene_file").iter().for_each(|bytes| file::play(bytes, simulation));
 }

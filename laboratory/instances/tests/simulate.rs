@@ -7,6 +7,7 @@ use std::process::{Command, Output};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
+use instances::simulation;
 use kerchief::host::{Description, SHAPES, ScalarKind, Simulation, SolverKind, Wind, WindModel};
 use tempfile::TempDir;
 
@@ -341,7 +342,7 @@ fn positions_are_those_of_the_recorded_frames() {
     assert_eq!(lines.next(), Some("frame,column,row,x,y,z"));
 
     let scene = Description::parse(SMALL).unwrap();
-    let mut simulation = scene.simulation(ScalarKind::F64).unwrap();
+    let mut simulation = simulation(&scene, ScalarKind::F64).unwrap();
     for frame in 0..=10 {
         if frame > 0 {
             simulation.frame();
@@ -395,7 +396,7 @@ fn the_report_has_its_keys_in_order() {
 
     let mut scene = Description::parse(SMALL).unwrap();
     scene.solver.substeps = 3;
-    let mut simulation = scene.simulation(ScalarKind::Q24).unwrap();
+    let mut simulation = simulation(&scene, ScalarKind::Q24).unwrap();
     let start = simulation.energy();
     let mut motion = 0.0_f64;
     for _ in 0..7 {
@@ -445,13 +446,13 @@ fn a_sheet_at_rest_is_not_computed() {
     );
 
     let scene = Description::parse(&damped).unwrap();
-    let mut moving = scene.simulation(ScalarKind::F32).unwrap();
+    let mut moving = simulation(&scene, ScalarKind::F32).unwrap();
     (0..1000 - at_rest).for_each(|_| moving.frame());
     assert_eq!(report["digest"], moving.digest(), "as it was when it came to rest");
     assert!(!moving.is_at_rest(), "a scene without [rest] never is");
 
     let scene = Description::parse(&format!("{damped}[rest]\n")).unwrap();
-    let mut resting = scene.simulation(ScalarKind::F32).unwrap();
+    let mut resting = simulation(&scene, ScalarKind::F32).unwrap();
     let disturbances: [(&str, Disturb); 4] = [
         ("gravity", |simulation| simulation.set_gravity([0.0, 1.0, -9.81]).unwrap()),
         ("a pin let go", |simulation| simulation.set_pinned(3, 0, false)),
@@ -606,7 +607,7 @@ fn every_number_type_grid_and_solver_runs() {
         for kind in SolverKind::ALL {
             scene.solver.kind = kind;
             let lowest = ScalarKind::ALL.map(|scalar| {
-                let mut simulation = scene.simulation(scalar).unwrap();
+                let mut simulation = simulation(&scene, scalar).unwrap();
                 let start = simulation.still().positions;
                 (0..5).for_each(|_| simulation.frame());
                 assert!(simulation.is_finite());
@@ -625,12 +626,12 @@ fn every_number_type_grid_and_solver_runs() {
 #[test]
 fn a_state_moves_from_one_solver_and_number_type_to_another() {
     let mut scene = Description::parse(SMALL).unwrap();
-    let mut before = scene.simulation(ScalarKind::F64).unwrap();
+    let mut before = simulation(&scene, ScalarKind::F64).unwrap();
     (0..5).for_each(|_| before.frame());
     before.set_pinned(3, 0, false);
     scene.solver.kind = SolverKind::Verlet;
     scene.solver.substeps = 7;
-    let mut after = scene.simulation(ScalarKind::F64).unwrap();
+    let mut after = simulation(&scene, ScalarKind::F64).unwrap();
     after.restore(&before.state());
     let (before, after) = (before.state(), after.state());
     let difference = |a: &[[f64; 3]], b: &[[f64; 3]]| {

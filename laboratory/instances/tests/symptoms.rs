@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use instances::simulation;
 use kerchief::host::{Description, ScalarKind, Simulation};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
@@ -17,14 +18,14 @@ struct Course {
 }
 
 fn scene(name: &str) -> Description {
-    let path = format!("{ROOT}/examples/scenes/symptoms/{name}.toml");
+    let path = format!("{ROOT}/../../examples/scenes/symptoms/{name}.toml");
     let scene = Description::parse(&fs::read_to_string(path).unwrap()).unwrap();
     assert_eq!(scene.name, name);
     scene
 }
 
 fn course(scene: &Description) -> Course {
-    let mut moving = scene.simulation(ScalarKind::F32).unwrap();
+    let mut moving = simulation(&scene, ScalarKind::F32).unwrap();
     let (mut strain, mut speed, mut at_rest) = (0.0_f64, 0.0_f64, 0);
     for frame in 0..scene.frames {
         let rests = moving.is_at_rest();
@@ -94,9 +95,9 @@ fn passes_through() {
 /// The page and the scenes belong together.
 #[test]
 fn the_page_names_every_scene() {
-    let page = fs::read_to_string(format!("{ROOT}/docs/symptoms.md")).unwrap();
+    let page = fs::read_to_string(format!("{ROOT}/../../docs/symptoms.md")).unwrap();
     let mut names = 0;
-    for entry in fs::read_dir(format!("{ROOT}/examples/scenes/symptoms")).unwrap() {
+    for entry in fs::read_dir(format!("{ROOT}/../../examples/scenes/symptoms")).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
         assert!(page.contains(&format!("(../examples/scenes/symptoms/{name})")), "{name} is not in docs/symptoms.md");
         names += 1;

@@ -2,12 +2,16 @@
 //!
 //! [`Rig`] is the core's side, for any solver, number type, further links and colliders. [`moved`] forgets the solver's type, so that a test
 //! runs through [`Method`]s in a loop. States come back in SI units, as the reference has them.
-
-// Each test takes what it needs.
-#![allow(dead_code, unused_imports, unreachable_pub)]
+#![allow(
+    missing_docs,
+    clippy::missing_errors_doc,
+    clippy::missing_panics_doc,
+    reason = "not published: names and signatures say it"
+)]
 
 mod compare;
 mod method;
+pub mod reference;
 pub mod scenes;
 
 use kerchief::{

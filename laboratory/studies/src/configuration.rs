@@ -6,20 +6,20 @@ use kerchief::host::{Description, ScalarKind, SolverKind};
 
 /// A solver with its settings and number type.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Configuration {
-    pub(crate) solver: SolverKind,
-    pub(crate) scalar: ScalarKind,
+pub struct Configuration {
+    pub solver: SolverKind,
+    pub scalar: ScalarKind,
     /// Solver steps per frame.
-    pub(crate) substeps: u32,
+    pub substeps: u32,
     /// Relaxation sweeps (Newton steps of backward Euler) per substep; 1 where there are none.
-    pub(crate) sweeps: u32,
+    pub sweeps: u32,
     /// The strain for which lines spend further sweeps; without, the scene's.
-    pub(crate) tolerance: Option<f64>,
+    pub tolerance: Option<f64>,
 }
 
 impl Configuration {
     /// The scene solved in this way.
-    pub(crate) fn of(self, scene: &Description) -> Description {
+    pub fn of(self, scene: &Description) -> Description {
         let mut scene = scene.clone();
         (scene.solver.kind, scene.solver.substeps, scene.solver.iterations) = (self.solver, self.substeps, self.sweeps);
         scene.solver.sweeps = Some(self.sweeps);
@@ -28,14 +28,14 @@ impl Configuration {
     }
 
     /// What it takes on a command line.
-    pub(crate) fn words(self) -> Vec<String> {
+    pub fn words(self) -> Vec<String> {
         let Self { solver, scalar, substeps, sweeps, tolerance } = self;
         let words = [solver.name().to_string(), scalar.name().to_string(), substeps.to_string(), sweeps.to_string()];
         words.into_iter().chain(tolerance.map(|tolerance| tolerance.to_string())).collect()
     }
 
     /// What was written by [`words`](Self::words).
-    pub(crate) fn from_words(words: &[String]) -> Option<Self> {
+    pub fn from_words(words: &[String]) -> Option<Self> {
         let [solver, scalar, substeps, sweeps, tolerance @ ..] = words else { return None };
         Some(Self {
             solver: SolverKind::from_name(solver)?,
@@ -47,19 +47,19 @@ impl Configuration {
     }
 
     /// The solver and number type.
-    pub(crate) fn kind(self) -> String {
+    pub fn kind(self) -> String {
         format!("{} {}", self.solver.name(), self.scalar.name())
     }
 
     /// All but the substeps.
-    pub(crate) fn group(self) -> String {
+    pub fn group(self) -> String {
         let sweeps = if has_sweeps(self.solver) { format!(" × {}", self.sweeps) } else { String::new() };
         let tolerance = self.tolerance.map_or(String::new(), |tolerance| format!(" within {tolerance}"));
         format!("{}{sweeps}{tolerance}", self.kind())
     }
 
     /// The substeps and what follows them.
-    pub(crate) fn settings(self) -> String {
+    pub fn settings(self) -> String {
         format!("{}{}", self.substeps, self.group().trim_start_matches(&self.kind()))
     }
 }
@@ -71,7 +71,7 @@ impl fmt::Display for Configuration {
 }
 
 /// Whether a solver has sweeps (or Newton steps) to choose.
-pub(crate) const fn has_sweeps(solver: SolverKind) -> bool {
+pub const fn has_sweeps(solver: SolverKind) -> bool {
     matches!(solver, SolverKind::Verlet | SolverKind::BackwardEuler | SolverKind::Lines)
 }
 
@@ -87,21 +87,21 @@ const fn weight(solver: SolverKind) -> u32 {
 
 /// Which configurations are compared.
 #[derive(Clone, Debug)]
-pub(crate) struct Choice {
-    pub(crate) solvers: Vec<SolverKind>,
-    pub(crate) scalars: Vec<ScalarKind>,
-    pub(crate) substeps: Vec<u32>,
+pub struct Choice {
+    pub solvers: Vec<SolverKind>,
+    pub scalars: Vec<ScalarKind>,
+    pub substeps: Vec<u32>,
     /// The same for every solver that has sweeps; what is usual for each where there are none.
-    pub(crate) sweeps: Vec<u32>,
+    pub sweeps: Vec<u32>,
     /// For lines.
-    pub(crate) tolerances: Vec<f64>,
+    pub tolerances: Vec<f64>,
     /// The most sweeps in a frame; see [`weight`].
-    pub(crate) work: u32,
+    pub work: u32,
 }
 
 impl Choice {
     /// All of them, those that differ in substeps alone one after the other.
-    pub(crate) fn configurations(&self) -> Vec<Configuration> {
+    pub fn configurations(&self) -> Vec<Configuration> {
         let mut all = Vec::new();
         for &solver in &self.solvers {
             let mut kinds = Vec::new();

@@ -1,7 +1,7 @@
 //! The Pareto front: what nothing else beats in both cost and error.
 
 /// Indices of the points (cost, error) that no other beats, by ascending cost. What is not a number is on no front.
-pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
+pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> =
         (0..points.len()).filter(|&i| points[i].0.is_finite() && points[i].1.is_finite()).collect();
     order.sort_by(|&i, &j| points[i].partial_cmp(&points[j]).expect("finite numbers"));
@@ -15,11 +15,11 @@ pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
 }
 
 /// The cheapest point with an error of at most `error`.
-pub(crate) fn cheapest(points: &[(f64, f64)], error: f64) -> Option<usize> {
+pub fn cheapest(points: &[(f64, f64)], error: f64) -> Option<usize> {
     front(points).into_iter().find(|&i| points[i].1 <= error)
 }
 
 /// The most accurate point that costs at most `budget`.
-pub(crate) fn best_within(points: &[(f64, f64)], budget: f64) -> Option<usize> {
+pub fn best_within(points: &[(f64, f64)], budget: f64) -> Option<usize> {
     front(points).into_iter().rfind(|&i| points[i].0 <= budget)
 }

@@ -14,20 +14,20 @@ const TORN: f64 = 100.0;
 
 /// What was seen of a run. Error and strain are infinite where the sheet blew up.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Measurement {
+pub struct Measurement {
     /// RMS distance from the reference over all particles and frames, over the sheet's size.
-    pub(crate) error: Option<f64>,
+    pub error: Option<f64>,
     /// The largest strain of a stretch link at the end of any frame.
-    pub(crate) strain: f64,
+    pub strain: f64,
     /// What the frames took.
-    pub(crate) time: Duration,
+    pub time: Duration,
     /// Of the state at the end.
-    pub(crate) digest: u32,
+    pub digest: u32,
 }
 
 impl Measurement {
     /// Runs a configuration for so many frames.
-    pub(crate) fn of(
+    pub fn of(
         start: Start,
         scene: &Description,
         configuration: Configuration,

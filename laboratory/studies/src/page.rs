@@ -3,26 +3,26 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use crate::console::staging::Staged;
+use console::staging::Staged;
 
 /// A page that grows.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Page(String);
+pub struct Page(String);
 
 impl Page {
     /// Adds a paragraph or a heading.
-    pub(crate) fn paragraph(&mut self, text: &str) {
+    pub fn paragraph(&mut self, text: &str) {
         self.0.push_str(text);
         self.0.push_str("\n\n");
     }
 
     /// Adds a picture that stands beside the page.
-    pub(crate) fn picture(&mut self, words: &str, file: &str) {
+    pub fn picture(&mut self, words: &str, file: &str) {
         let _ = write!(self.0, "![{words}]({file})\n\n");
     }
 
     /// Adds a table; all columns but the first hold numbers.
-    pub(crate) fn table(&mut self, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
+    pub fn table(&mut self, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
         let line = |cells: &[&str]| format!("| {} |\n", cells.join(" | "));
         self.0.push_str(&line(head));
         let mut rule = vec!["---:"; head.len()];
@@ -36,13 +36,13 @@ impl Page {
     }
 
     /// Writes the page.
-    pub(crate) fn write(&self, directory: &Path, name: &str) -> Result<(), String> {
+    pub fn write(&self, directory: &Path, name: &str) -> Result<(), String> {
         write(directory, name, self.0.trim_end().as_bytes())
     }
 }
 
 /// Writes a text file, which ends with a line break.
-pub(crate) fn write(directory: &Path, name: &str, text: &[u8]) -> Result<(), String> {
+pub fn write(directory: &Path, name: &str, text: &[u8]) -> Result<(), String> {
     use std::io::Write;
     let mut file = Staged::create(directory, name)?;
     let written = file.write_all(text).and_then(|()| file.write_all(b"\n"));
@@ -51,7 +51,7 @@ pub(crate) fn write(directory: &Path, name: &str, text: &[u8]) -> Result<(), Str
 }
 
 /// A table of comma-separated values.
-pub(crate) fn write_csv<R: serde::Serialize>(directory: &Path, name: &str, rows: &[R]) -> Result<(), String> {
+pub fn write_csv<R: serde::Serialize>(directory: &Path, name: &str, rows: &[R]) -> Result<(), String> {
     let mut table = csv::Writer::from_writer(Staged::create(directory, name)?);
     let written = rows.iter().try_for_each(|row| table.serialize(row));
     table.get_ref().named(written)?;
@@ -59,12 +59,12 @@ pub(crate) fn write_csv<R: serde::Serialize>(directory: &Path, name: &str, rows:
 }
 
 /// Two digits and a power of ten: `1.2e-4`.
-pub(crate) fn scientific(value: f64) -> String {
+pub fn scientific(value: f64) -> String {
     if value.is_finite() { format!("{value:.1e}") } else { "diverged".to_string() }
 }
 
 /// A count in thousands: `5.4 k`.
-pub(crate) fn thousands(count: f64) -> String {
+pub fn thousands(count: f64) -> String {
     match count {
         _ if !count.is_finite() => "–".to_string(),
         _ if count < 9_950.0 => format!("{:.1} k", count / 1e3),
@@ -73,7 +73,7 @@ pub(crate) fn thousands(count: f64) -> String {
 }
 
 /// A picture.
-pub(crate) fn write_png(directory: &Path, name: &str, picture: &image::RgbImage) -> Result<(), String> {
+pub fn write_png(directory: &Path, name: &str, picture: &image::RgbImage) -> Result<(), String> {
     let mut file = Staged::create(directory, name)?;
     let written = picture.write_with_encoder(image::codecs::png::PngEncoder::new(&mut file));
     file.named(written)?;

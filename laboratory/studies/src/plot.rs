@@ -18,7 +18,7 @@ const LEGEND: i32 = 210;
 const FONT: &str = "sans-serif";
 
 /// Colours that can be told apart by everyone (M. Okabe, K. Ito, *Color universal design*, 2008), without the yellow, which is too light for lines.
-pub(crate) const COLOURS: [RGBColor; 7] = [
+pub const COLOURS: [RGBColor; 7] = [
     RGBColor(213, 94, 0),
     RGBColor(0, 114, 178),
     RGBColor(0, 158, 115),
@@ -30,7 +30,7 @@ pub(crate) const COLOURS: [RGBColor; 7] = [
 
 /// What a point looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Marker {
+pub enum Marker {
     None,
     Disc,
     Ring,
@@ -39,7 +39,7 @@ pub(crate) enum Marker {
 }
 
 /// A number type's mark in every plot.
-pub(crate) const fn marker(scalar: ScalarKind) -> Marker {
+pub const fn marker(scalar: ScalarKind) -> Marker {
     match scalar {
         ScalarKind::F32 => Marker::Disc,
         ScalarKind::F64 => Marker::Ring,
@@ -49,7 +49,7 @@ pub(crate) const fn marker(scalar: ScalarKind) -> Marker {
 }
 
 /// A solver's colour in every plot.
-pub(crate) const fn colour(solver: SolverKind) -> RGBColor {
+pub const fn colour(solver: SolverKind) -> RGBColor {
     match solver {
         SolverKind::Lines => COLOURS[1],
         SolverKind::Leapfrog => COLOURS[6],
@@ -62,43 +62,43 @@ pub(crate) const fn colour(solver: SolverKind) -> RGBColor {
 
 /// A curve.
 #[derive(Clone, Debug)]
-pub(crate) struct Curve {
-    pub(crate) name: String,
-    pub(crate) colour: RGBColor,
-    pub(crate) marker: Marker,
+pub struct Curve {
+    pub name: String,
+    pub colour: RGBColor,
+    pub marker: Marker,
     /// Pixels; 0 for points alone.
-    pub(crate) width: u32,
-    pub(crate) points: Vec<(f64, f64)>,
+    pub width: u32,
+    pub points: Vec<(f64, f64)>,
 }
 
 /// An axis.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Axis<'a> {
-    pub(crate) words: &'a str,
+pub struct Axis<'a> {
+    pub words: &'a str,
     /// In powers of ten.
-    pub(crate) log: bool,
+    pub log: bool,
     /// What is not between is not drawn.
-    pub(crate) bounds: (f64, f64),
+    pub bounds: (f64, f64),
 }
 
 /// Curves, the first behind all others, and further lines of the legend.
 #[derive(Clone, Debug)]
-pub(crate) struct Plot<'a> {
-    pub(crate) title: &'a str,
-    pub(crate) axes: [Axis<'a>; 2],
-    pub(crate) curves: Vec<Curve>,
-    pub(crate) notes: Vec<String>,
+pub struct Plot<'a> {
+    pub title: &'a str,
+    pub axes: [Axis<'a>; 2],
+    pub curves: Vec<Curve>,
+    pub notes: Vec<String>,
 }
 
 impl Curve {
     /// What no point of `(cost, error)` beats, broad and grey behind all others.
-    pub(crate) fn front(points: &[(f64, f64)]) -> Self {
+    pub fn front(points: &[(f64, f64)]) -> Self {
         let colour = RGBColor(205, 205, 205);
         Self { name: "Pareto front".to_string(), colour, marker: Marker::None, width: 9, points: best(points) }
     }
 
     /// The front of one solver in one number type.
-    pub(crate) fn of(solver: SolverKind, scalar: ScalarKind, points: &[(f64, f64)]) -> Self {
+    pub fn of(solver: SolverKind, scalar: ScalarKind, points: &[(f64, f64)]) -> Self {
         let name = format!("{} {}", solver.name(), scalar.name());
         Self { name, colour: colour(solver), marker: marker(scalar), width: 1, points: best(points) }
     }
@@ -195,7 +195,7 @@ impl ValueFormatter<f64> for Ticks<'_> {
 
 impl Plot<'_> {
     /// Writes the plot.
-    pub(crate) fn write(&self, directory: &Path, name: &str) -> Result<(), String> {
+    pub fn write(&self, directory: &Path, name: &str) -> Result<(), String> {
         let mut svg = String::new();
         self.draw(&mut svg).map_err(|error| format!("{name}: {error}"))?;
         page::write(directory, name, svg.trim_end().as_bytes())

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Start;
 use super::configuration::Configuration;
-use crate::console::staging::{self, Staged};
+use console::staging::{self, Staged};
 
 /// Substeps to begin with.
 const FEWEST: u32 = 64;
@@ -19,28 +19,28 @@ const MOST: u32 = 4096;
 const LOST: f64 = 10.0;
 
 /// Positions at the ends of frames, m.
-pub(crate) type Frames = Vec<Vec<[f64; 3]>>;
+pub type Frames = Vec<Vec<[f64; 3]>>;
 
 /// A solution and how far it has converged.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Reference {
+pub struct Reference {
     /// The scene's text, by which it is recognised.
     scene: String,
     /// Where every particle is at the end of every frame, m: the limit that solutions of `substeps` and half as many point to, by Richardson's
     /// extrapolation.
-    pub(crate) positions: Frames,
+    pub positions: Frames,
     /// The most substeps per frame.
-    pub(crate) substeps: u32,
+    pub substeps: u32,
     /// RMS distance over all particles and frames to what half as many substeps gave, over the sheet's size.
-    pub(crate) difference: f64,
+    pub difference: f64,
     /// The order seen without extrapolation, from the last three solutions.
-    pub(crate) order: Option<f64>,
+    pub order: Option<f64>,
     tolerance: f64,
 }
 
 impl Reference {
     /// The solution of a scene, from `cache` if it is there.
-    pub(crate) fn of(
+    pub fn of(
         start: Start,
         text: &str,
         scene: &Description,
@@ -99,18 +99,18 @@ impl Reference {
 }
 
 /// The sheet's longer side, m.
-pub(crate) fn size(scene: &Description) -> f64 {
+pub fn size(scene: &Description) -> f64 {
     scene.sheet.width.max(scene.sheet.height)
 }
 
 /// Root of the mean squared distance of all particles at all times, m.
-pub(crate) fn rms(a: &Frames, b: &Frames) -> f64 {
+pub fn rms(a: &Frames, b: &Frames) -> f64 {
     let mean = |(a, b): (&Vec<[f64; 3]>, &Vec<[f64; 3]>)| mean_square(a, b);
     (a.iter().zip(b).map(mean).sum::<f64>() / a.len() as f64).sqrt()
 }
 
 /// The mean squared distance of particles, m².
-pub(crate) fn mean_square(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
+pub fn mean_square(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     let square = |(a, b): (&[f64; 3], &[f64; 3])| (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>();
     a.iter().zip(b).map(square).sum::<f64>() / a.len() as f64
 }
@@ -122,7 +122,7 @@ fn extrapolate(fine: &Frames, coarse: &Frames) -> Frames {
 }
 
 /// Where every particle is at the end of every frame, m; nothing if the sheet blew up.
-pub(crate) fn record(
+pub fn record(
     start: Start,
     scene: &Description,
     configuration: Configuration,

@@ -5,8 +5,8 @@ use kerchief::host::{BUILT_IN, BuiltIn};
 macro_rules! scenes {
     ($(#[$doc:meta])* $list:ident: $($name:literal)*) => {
         $(#[$doc])*
-        pub(crate) const $list: &[BuiltIn] = &[$(
-            BuiltIn { name: $name, text: include_str!(concat!("../scenes/laboratory/", $name, ".toml")) }
+        pub const $list: &[BuiltIn] = &[$(
+            BuiltIn { name: $name, text: include_str!(concat!("../../../examples/scenes/laboratory/", $name, ".toml")) }
         ),*];
     };
 }
@@ -21,10 +21,9 @@ scenes! {
 }
 
 /// Scenes of which only the strain is measured: a solution in time to the precision of interest is out of reach.
-pub(crate) const STRAIN_ONLY: [&str; 4] =
-    ["two-corners-16-stiff", "two-corners-32-stiff", "ball-32-stiff", "upright-32"];
+pub const STRAIN_ONLY: [&str; 4] = ["two-corners-16-stiff", "two-corners-32-stiff", "ball-32-stiff", "upright-32"];
 
 /// Every scene that has a name.
-pub(crate) fn named() -> Vec<BuiltIn> {
+pub fn named() -> Vec<BuiltIn> {
     GOALS.iter().chain(ORDERS).chain(BUILT_IN).copied().collect()
 }

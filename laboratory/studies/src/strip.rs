@@ -12,7 +12,7 @@ const LINE: u32 = 32;
 const GAP: u32 = 8;
 
 /// Pictures of one size side by side, with words under each.
-pub(crate) fn strip(panels: &[(RgbImage, String)]) -> RgbImage {
+pub fn strip(panels: &[(RgbImage, String)]) -> RgbImage {
     let (width, height) = panels.first().map_or((0, 0), |(picture, _)| picture.dimensions());
     let count = panels.len() as u32;
     let mut page = RgbImage::from_pixel(count * (width + GAP) - GAP, height + LINE, Rgb([255; 3]));

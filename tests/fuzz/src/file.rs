@@ -1,13 +1,16 @@
 //! Scene files of any bytes: each is refused in a line or moves, twice the same.
 
-use kerchief::host::{Description, ScalarKind};
+use kerchief::host::{Description, ScalarKind, SceneError, Simulation};
+
+/// How a scene is set up.
+pub type Simulate = fn(&Description, ScalarKind) -> Result<Box<dyn Simulation>, SceneError>;
 
 /// What a scene may cost: solver steps of a frame, particles.
 const STEPS: u32 = 64;
 const PARTICLES: usize = 64;
 
 /// Reads a file and plays the scene that it describes in every number type that holds it.
-pub(crate) fn play(bytes: &[u8]) {
+pub fn play(bytes: &[u8], simulation: Simulate) {
     let Ok(text) = core::str::from_utf8(bytes) else { return };
     let scene = match Description::parse(text) {
         Ok(scene) => scene,
@@ -23,7 +26,7 @@ pub(crate) fn play(bytes: &[u8]) {
     }
     for scalar in ScalarKind::ALL {
         let digest = || {
-            let mut simulation = scene.simulation(scalar).ok()?;
+            let mut simulation = simulation(&scene, scalar).ok()?;
             (0..3).for_each(|_| simulation.frame());
             Some(simulation.digest())
         };

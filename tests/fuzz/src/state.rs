@@ -7,12 +7,12 @@ use kerchief::{
 };
 
 /// Numbers of a state and its parameters.
-pub(crate) const NUMBERS: usize = 4 * 4 * 7 + 27;
+pub const NUMBERS: usize = 4 * 4 * 7 + 27;
 
 const UNITS: Units = Units::sheet([4, 4], [1.0, 0.8], 0.01, 0.05, 3);
 
 /// The first byte chooses a number type and a solver; then four bytes are a number, and what is missing is zero.
-pub(crate) fn play(bytes: &[u8]) {
+pub fn play(bytes: &[u8]) {
     let (&choice, bytes) = bytes.split_first().unwrap_or((&0, &[]));
     let mut bits = [0; NUMBERS];
     for (bits, bytes) in bits.iter_mut().zip(bytes.chunks(4)) {
@@ -22,8 +22,7 @@ pub(crate) fn play(bytes: &[u8]) {
 }
 
 /// In every number type by every solver.
-#[allow(dead_code, reason = "a fuzzer plays them one by one")]
-pub(crate) fn play_all(bits: &[u32; NUMBERS]) {
+pub fn play_all(bits: &[u32; NUMBERS]) {
     (0..TYPES).for_each(|number| in_type(number, bits, None));
 }
 

@@ -1,9 +1,11 @@
 //! A scene file of any bytes.
 #![no_main]
 
-#[path = "../file.rs"]
-mod file;
+kerchief::simulations! {
+    /// All grids that are small enough to be played.
+    fn simulation;
+    scalars: F32 = f32, F64 = f64, Q24 = kerchief::Q24, Q13 = kerchief::Q13;
+    grids: (1, 32) (4, 4) (8, 8)
+}
 
-use libfuzzer_sys::fuzz_target;
-
-fuzz_target!(|bytes: &[u8]| file::play(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| kerchief_fuzz::file::play(bytes, simulation));

@@ -7,9 +7,6 @@
 //! [`Model`] says what is meant, [`Ode`] is its right-hand side, [`Ode::solve`] its converged solution, and
 //! [`closed_forms`] holds the cases that mathematics solves.
 
-// Each test takes what it needs.
-#![allow(dead_code, unused_imports, unreachable_pub)]
-
 pub mod closed_forms;
 mod ode;
 mod rk4;

@@ -1,18 +1,14 @@
 //! Draws the thesis' two questions for the README: `cargo run --release --example figures` writes `docs/shear.png` and
 //! `docs/super-elasticity.png`.
 
-#[path = "studio/strip.rs"]
-mod strip;
-#[path = "studio/mod.rs"]
-mod studio;
-
 use std::error::Error;
 
 use image::RgbImage;
+use instances::simulation;
 use kerchief::host::{Description, ScalarKind, SolverKind, Still, built_in};
 
-use strip::strip;
-use studio::Studio;
+use console::studio::Studio;
+use laboratory::strip::strip;
 
 /// The side of a picture, pixels.
 const SIDE: u32 = 480;
@@ -45,7 +41,7 @@ fn scene(name: &str) -> Result<Description, Box<dyn Error>> {
 
 /// The last moment of a scene, and the largest strain of a stretch link at the end of any frame.
 fn run(scene: &Description) -> Result<(Still, f64), Box<dyn Error>> {
-    let mut simulation = scene.simulation(ScalarKind::F32)?;
+    let mut simulation = simulation(&scene, ScalarKind::F32)?;
     let mut largest: f64 = 0.0;
     for _ in 0..scene.frames {
         simulation.frame();

@@ -4,17 +4,18 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use instances::simulation;
 use kerchief::host::{Description, ScalarKind};
 use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::firmware::Firmware;
-use crate::laboratory::configuration::Configuration;
-use crate::laboratory::measurement::Measurement;
-use crate::laboratory::page::scientific;
-use crate::laboratory::reference::Reference;
-use crate::laboratory::scenes::named;
 use crate::machine::{M0, M3, M4F, Machine};
+use laboratory::configuration::Configuration;
+use laboratory::measurement::Measurement;
+use laboratory::page::scientific;
+use laboratory::reference::Reference;
+use laboratory::scenes::named;
 
 /// The scene that the firmware plays.
 pub(crate) const SCENE: &str = "two-corners-16";
@@ -104,7 +105,7 @@ impl Board {
 pub(crate) fn errors(costs: &[Cost], cache: &Path) -> Result<Vec<Point>, String> {
     let text = named().into_iter().find(|scene| scene.name == SCENE).expect("a scene of the laboratory").text;
     let scene = Description::parse(text).map_err(|error| error.to_string())?;
-    let start = |scene: &Description, scalar| scene.simulation(scalar);
+    let start = simulation;
     let reference = Reference::of(start, text, &scene, scene.frames, CONVERGED, cache)?;
     let point = |cost: &Cost| {
         let Cost { board, configuration, instructions, digest } = *cost;

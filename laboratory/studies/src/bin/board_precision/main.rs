@@ -1,14 +1,6 @@
 //! What accuracy costs on a board: `cargo run --release --example board_precision -- --help`.
 
 mod board;
-#[path = "../console/mod.rs"]
-mod console;
-#[path = "../emulate/firmware.rs"]
-mod firmware;
-#[path = "../laboratory/mod.rs"]
-mod laboratory;
-#[path = "../emulate/machine.rs"]
-mod machine;
 mod report;
 
 use std::path::PathBuf;

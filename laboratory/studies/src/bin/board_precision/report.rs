@@ -6,9 +6,9 @@ use kerchief::host::{ScalarKind, SolverKind};
 
 use crate::NUMBERS;
 use crate::board::{BOARDS, Board, Point};
-use crate::laboratory::front::cheapest;
-use crate::laboratory::page::{Page, scientific};
-use crate::laboratory::plot::{Axis, Curve, Plot};
+use laboratory::front::cheapest;
+use laboratory::page::{Page, scientific};
+use laboratory::plot::{Axis, Curve, Plot};
 
 /// Position errors (sheet sizes) for which the cheapest setting is named.
 const ERRORS: [f64; 3] = [1e-2, 1e-3, 1e-4];

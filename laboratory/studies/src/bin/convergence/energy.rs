@@ -3,15 +3,16 @@
 use std::path::Path;
 
 use indicatif::ProgressBar;
+use instances::simulation;
 use kerchief::host::{Description, ScalarKind, SolverKind};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::laboratory::configuration::Configuration;
-use crate::laboratory::page::{Page, write_csv};
-use crate::laboratory::plot::{Axis, Curve, Marker, Plot};
-use crate::laboratory::reference::size;
 use crate::usual::{USUAL, colour_of, name, usual};
+use laboratory::configuration::Configuration;
+use laboratory::page::{Page, write_csv};
+use laboratory::plot::{Axis, Curve, Marker, Plot};
+use laboratory::reference::size;
 
 /// How many times as many substeps leapfrog takes.
 const LEAPFROG: u32 = 16;
@@ -64,9 +65,7 @@ impl Energies {
             .collect();
         bar.inc_length(configurations.len() as u64);
         let course = |&configuration: &Configuration| {
-            let mut moving = configuration
-                .of(scene)
-                .simulation(configuration.scalar)
+            let mut moving = simulation(&configuration.of(scene), configuration.scalar)
                 .map_err(|error| format!("{}: {error}", scene.name))?;
             let start = moving.energy();
             let mut changes = Vec::new();

@@ -6,12 +6,12 @@ use indicatif::ProgressBar;
 use kerchief::host::{Description, ScalarKind};
 use rayon::prelude::*;
 
-use crate::laboratory::configuration::Configuration;
-use crate::laboratory::page::{Page, scientific};
-use crate::laboratory::plot::{Axis, Curve, Plot, marker};
-use crate::laboratory::reference::{record, rms, size};
 use crate::orders::Orders;
 use crate::usual::{USUAL, colour_of, name};
+use laboratory::configuration::Configuration;
+use laboratory::page::{Page, scientific};
+use laboratory::plot::{Axis, Curve, Plot, marker};
+use laboratory::reference::{record, rms, size};
 
 /// Number types that are held against `f64`.
 const TYPES: [ScalarKind; 3] = [ScalarKind::F32, ScalarKind::Q24, ScalarKind::Q13];

@@ -1,11 +1,7 @@
 //! Orders, energies and round-off of all solvers: `cargo run --release --example convergence -- --help`.
 
-#[path = "../console/mod.rs"]
-mod console;
 mod energy;
 mod floors;
-#[path = "../laboratory/mod.rs"]
-mod laboratory;
 mod orders;
 mod usual;
 
@@ -13,6 +9,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, value_parser};
+use instances::simulation;
 use kerchief::host::{Description, MOST, ScalarKind};
 
 use console::{progress, staging};
@@ -70,7 +67,7 @@ fn run(args: &Args) -> Result<(), String> {
         for (scalar, &substeps) in
             ScalarKind::ALL.into_iter().flat_map(|scalar| args.substeps.iter().map(move |n| (scalar, n)))
         {
-            let fits = |of: Configuration| of.of(scene).simulation(scalar).map(drop);
+            let fits = |of: Configuration| simulation(&of.of(scene), scalar).map(drop);
             usual(scalar, substeps).try_for_each(fits).map_err(|error| format!("{}: {error}", scene.name))?;
         }
     }

@@ -8,12 +8,12 @@ use plotters::style::RGBColor;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::laboratory::configuration::Configuration;
-use crate::laboratory::measurement::Measurement;
-use crate::laboratory::page::{Page, scientific};
-use crate::laboratory::plot::{Axis, Curve, Marker, Plot};
-use crate::laboratory::reference::Reference;
 use crate::usual::{USUAL, colour_of, name, usual};
+use laboratory::configuration::Configuration;
+use laboratory::measurement::Measurement;
+use laboratory::page::{Page, scientific};
+use laboratory::plot::{Axis, Curve, Marker, Plot};
+use laboratory::reference::Reference;
 
 /// How close the reference has to come to its limit, sheet sizes.
 const TOLERANCE: f64 = 1e-9;

@@ -4,8 +4,8 @@ use kerchief::host::{ScalarKind, SolverKind};
 
 use plotters::style::RGBColor;
 
-use crate::laboratory::configuration::{Configuration, has_sweeps};
-use crate::laboratory::plot::{COLOURS, colour};
+use laboratory::configuration::{Configuration, has_sweeps};
+use laboratory::plot::{COLOURS, colour};
 
 /// Every solver as it is usually run, with its sweeps.
 pub(crate) const USUAL: [(SolverKind, u32); 7] = [

@@ -1,11 +1,12 @@
 //! One physical sheet on many grids.
 
 use image::{RgbImage, imageops};
+use instances::simulation;
 use kerchief::Units;
 use kerchief::host::{Description, ScalarKind, SolverKind, Still};
 use kerchief::material::{JACKET, Material};
 
-use crate::laboratory::reference::{Frames, mean_square, rms};
+use laboratory::reference::{Frames, mean_square, rms};
 
 /// The side of the sheet, m, and the time of a frame, s.
 const SIZE: f64 = 1.0;
@@ -94,7 +95,7 @@ impl Awning {
 
     /// Lets it come to rest.
     pub(crate) fn outcome(&self, side: usize) -> Result<Outcome, String> {
-        let mut moving = self.scene(side)?.simulation(ScalarKind::F64).map_err(|error| error.to_string())?;
+        let mut moving = simulation(&self.scene(side)?, ScalarKind::F64).map_err(|error| error.to_string())?;
         let frames = |seconds: f64| (seconds / STEP).round().max(1.0) as u32;
         let mut motion = Frames::new();
         for frame in 0..frames(self.seconds.max(MOTION)) {

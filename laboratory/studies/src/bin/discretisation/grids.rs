@@ -7,10 +7,10 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::awning::{Awning, Outcome, cropped};
-use crate::laboratory::page::{Page, scientific, write_csv, write_png};
-use crate::laboratory::plot::{Axis, COLOURS, Curve, Marker, Plot};
-use crate::strip::strip;
-use crate::studio::Studio;
+use console::studio::Studio;
+use laboratory::page::{Page, scientific, write_csv, write_png};
+use laboratory::plot::{Axis, COLOURS, Curve, Marker, Plot};
+use laboratory::strip::strip;
 
 /// The side of a picture, pixels.
 const SIDE: u32 = 400;

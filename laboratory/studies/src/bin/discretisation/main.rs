@@ -1,16 +1,8 @@
 //! What the grid and the material do to the result: `cargo run --release --example discretisation -- --help`.
 
 mod awning;
-#[path = "../console/mod.rs"]
-mod console;
 mod grids;
-#[path = "../laboratory/mod.rs"]
-mod laboratory;
 mod parameters;
-#[path = "../studio/strip.rs"]
-mod strip;
-#[path = "../studio/mod.rs"]
-mod studio;
 
 use std::path::PathBuf;
 use std::process::ExitCode;

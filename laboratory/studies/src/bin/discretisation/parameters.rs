@@ -8,10 +8,10 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::awning::{Awning, Outcome, STEP, cropped};
-use crate::laboratory::page::{Page, scientific, write_csv, write_png};
-use crate::laboratory::plot::{Axis, COLOURS, Curve, Marker, Plot};
-use crate::strip::strip;
-use crate::studio::Studio;
+use console::studio::Studio;
+use laboratory::page::{Page, scientific, write_csv, write_png};
+use laboratory::plot::{Axis, COLOURS, Curve, Marker, Plot};
+use laboratory::strip::strip;
 
 /// By how much a property is changed.
 const FACTORS: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 4.0];

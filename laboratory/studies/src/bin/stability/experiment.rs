@@ -1,5 +1,6 @@
 //! One run: a sheet that hangs from two corners, let go from a state that no solver likes.
 
+use instances::simulation;
 use kerchief::host::{Description, ScalarKind, SolverKind, Wind, WindModel};
 
 const GRAVITY: f64 = 9.81;
@@ -65,7 +66,7 @@ impl Experiment {
     /// Runs it.
     pub(crate) fn run(&self, solver: SolverKind, scalar: ScalarKind, steps: u32) -> Result<Outcome, String> {
         let scene = self.scene(solver)?;
-        let Ok(mut moving) = scene.simulation(scalar) else { return Ok(Outcome::NotHeld) };
+        let Ok(mut moving) = simulation(&scene, scalar) else { return Ok(Outcome::NotHeld) };
         let mut state = moving.state();
         // displaced by up to a twentieth of a cell, without any symmetry
         let amount = 0.05 * SIZE / (self.side - 1) as f64;

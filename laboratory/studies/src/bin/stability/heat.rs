@@ -7,7 +7,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::experiment::Outcome;
-use crate::laboratory::page;
+use laboratory::page;
 
 const FONT: &str = "sans-serif";
 /// Width and height of a panel without its labels, pixels.

@@ -1,11 +1,7 @@
 //! Where solvers hold and where they don't: `cargo run --release --example stability -- --help`.
 
-#[path = "../console/mod.rs"]
-mod console;
 mod experiment;
 mod heat;
-#[path = "../laboratory/mod.rs"]
-mod laboratory;
 mod map;
 mod verdict;
 

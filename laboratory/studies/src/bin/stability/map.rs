@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::experiment::{Experiment, Outcome, USUAL};
 use crate::heat::{Panel, Scale, Sheet};
-use crate::laboratory::page::Page;
+use laboratory::page::Page;
 
 /// What is explored.
 #[derive(Clone, Copy, Debug)]

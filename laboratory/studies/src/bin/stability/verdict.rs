@@ -3,8 +3,8 @@
 use kerchief::host::{ScalarKind, SolverKind};
 
 use crate::experiment::Outcome;
-use crate::laboratory::page::Page;
 use crate::map::{Field, Map};
+use laboratory::page::Page;
 
 /// The strain up to which a run holds.
 const MOST: f64 = 0.25;

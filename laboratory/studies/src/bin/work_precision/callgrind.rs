@@ -6,8 +6,8 @@ use std::process::{Command, Stdio};
 
 use kerchief::host::{Description, Simulation};
 
-use crate::laboratory::configuration::Configuration;
 use crate::lean;
+use laboratory::configuration::Configuration;
 
 /// The first word of the command line by which the program is told to move a sheet and nothing else.
 const WORD: &str = "frames-for-callgrind";

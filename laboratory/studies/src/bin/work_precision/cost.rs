@@ -7,8 +7,8 @@ use kerchief::host::{Counted, Description, Operations, ScalarKind};
 use rayon::prelude::*;
 
 use crate::callgrind;
-use crate::laboratory::configuration::Configuration;
 use crate::lean;
+use laboratory::configuration::Configuration;
 
 /// Where in a run frames are counted, as parts of its length.
 const LOOKS: [f64; 3] = [0.25, 0.5, 0.75];

@@ -1,5 +1,6 @@
 //! Scenes in motion, put together from no more parts than they name: what a program of one's own would run.
 
+use instances::simulation;
 use kerchief::host::{Bare, Counted, Description, Everything, ScalarKind, SceneError, Simulation};
 use kerchief::{Q13, Q24, Scalar};
 
@@ -13,7 +14,7 @@ pub(crate) fn moving(scene: &Description, scalar: ScalarKind) -> Moving {
         ScalarKind::Q24 => on_grid::<Q24>(scene),
         ScalarKind::Q13 => on_grid::<Q13>(scene),
     };
-    lean.unwrap_or_else(|| scene.simulation(scalar))
+    lean.unwrap_or_else(|| simulation(scene, scalar))
 }
 
 /// The same in `f32`, with its operations counted; nothing for other grids.

@@ -1,11 +1,7 @@
 //! What accuracy costs: `cargo run --release --example work_precision -- --help`.
 
 mod callgrind;
-#[path = "../console/mod.rs"]
-mod console;
 mod cost;
-#[path = "../laboratory/mod.rs"]
-mod laboratory;
 mod lean;
 mod study;
 mod verdict;

@@ -9,10 +9,10 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::cost::{self, PerParticle};
-use crate::laboratory::configuration::{Choice, Configuration};
-use crate::laboratory::measurement::Measurement;
-use crate::laboratory::reference::Reference;
 use crate::lean;
+use laboratory::configuration::{Choice, Configuration};
+use laboratory::measurement::Measurement;
+use laboratory::reference::Reference;
 
 /// A configuration and what was seen of it.
 #[derive(Clone, Debug)]

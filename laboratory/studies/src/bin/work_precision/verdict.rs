@@ -5,11 +5,11 @@ use std::path::Path;
 
 use kerchief::host::{ScalarKind, SolverKind};
 
-use crate::laboratory::configuration::Configuration;
-use crate::laboratory::front::{best_within, cheapest, front};
-use crate::laboratory::page::{Page, scientific, thousands};
-use crate::laboratory::plot::{Axis, Curve, Plot};
 use crate::study::{Point, Study};
+use laboratory::configuration::Configuration;
+use laboratory::front::{best_within, cheapest, front};
+use laboratory::page::{Page, scientific, thousands};
+use laboratory::plot::{Axis, Curve, Plot};
 
 /// What the reader wants.
 #[derive(Clone, Debug)]

@@ -1,0 +1,4 @@
+//! What fuzzers play, and ordinary tests play again.
+
+pub mod file;
+pub mod state;
