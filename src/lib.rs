@@ -23,6 +23,9 @@
 //! assert!(measure::strain(&cloth, &scene.links.0).largest.to_f64() < 0.02);
 //! ```
 //!
+//! `examples/hello.rs` draws this sheet in a terminal, `examples/draw.rs` a denim one as a picture. On a host [scene files](host#the-file) describe sheets without a
+//! line of Rust (feature `std`).
+//!
 //! Another number type is another name in `Cloth::<Q24, …>`; another solver is another last argument; a wind is one more member of a tuple.
 //!
 //! # In which order to read
@@ -44,7 +47,7 @@
 //! | [`scene`] | the description, and the step |
 //! | [`measure`] | strain, energy, momentum, digest |
 //! | `render` | drawing on any `embedded-graphics` display (feature `graphics`) |
-//! | `host` | scene files, for programs on a host (feature `std`) |
+//! | [`host`] | scene files, for programs on a host (feature `std`) |
 //!
 //! # Guarantees
 //!
@@ -52,12 +55,13 @@
 //! rounded once, in one order. There is no unsafe code.
 #![no_std]
 #![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "std")]
 extern crate std;
 
 #[cfg(all(target_os = "none", feature = "std"))]
-compile_error!("the features `std` and `window` are for programs on a host: build firmware without them");
+compile_error!("the feature `std` is for programs on a host: build firmware without it");
 
 pub mod cloth;
 pub mod collider;

@@ -1,8 +1,6 @@
 //! How far two motions are apart.
 
-use kerchief::Scalar;
-
-use super::{Method, Motion, Pace, moved};
+use super::Motion;
 use crate::reference::vector::{add, scale};
 use crate::reference::{Model, Solution, State, Vector, rms_distance};
 

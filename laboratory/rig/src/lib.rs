@@ -15,7 +15,7 @@ pub mod reference;
 pub mod scenes;
 
 use kerchief::{
-    AerodynamicWind, Bend, Cloth, Collider, Damped, Drag, FacetWind, Gravity, Grid, Links, Node, Scalar, Scene, Shear,
+    AerodynamicWind, Bend, Cloth, Collider, Damped, Drag, FacetWind, Gravity, Links, Node, Scalar, Scene, Shear,
     Solver, Stretch, Units, Vec3,
 };
 

@@ -2,9 +2,8 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
-use std::sync::{Mutex, OnceLock};
 
 use tempfile::TempDir;
 
@@ -31,11 +30,15 @@ frames = 4
 "#;
 
 /// The built program.
-fn program(name: &'static str) -> Command {
-    static PATHS: OnceLock<Mutex<BTreeMap<&str, PathBuf>>> = OnceLock::new();
-    let mut paths = PATHS.get_or_init(Mutex::default).lock().unwrap();
-    let build = || escargot::CargoBuild::new().example(name).current_release().run().expect("the example builds");
-    Command::new(paths.entry(name).or_insert_with(|| build().path().to_path_buf()))
+fn program(name: &str) -> Command {
+    Command::new(match name {
+        "convergence" => env!("CARGO_BIN_EXE_convergence"),
+        "discretisation" => env!("CARGO_BIN_EXE_discretisation"),
+        "figures" => env!("CARGO_BIN_EXE_figures"),
+        "stability" => env!("CARGO_BIN_EXE_stability"),
+        "work_precision" => env!("CARGO_BIN_EXE_work_precision"),
+        _ => panic!("no program {name}"),
+    })
 }
 
 /// A place to run in, with the scenes `small.toml` and `tiny.toml`.

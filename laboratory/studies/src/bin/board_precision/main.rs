@@ -1,4 +1,4 @@
-//! What accuracy costs on a board: `cargo run --release --example board_precision -- --help`.
+//! What accuracy costs on a board: `cargo study board_precision --help`.
 
 mod board;
 mod report;

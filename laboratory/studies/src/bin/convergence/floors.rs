@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use indicatif::ProgressBar;
+use instances::simulation;
 use kerchief::host::{Description, ScalarKind};
 use rayon::prelude::*;
 
@@ -51,10 +52,8 @@ impl Floors {
             .collect();
         bar.inc_length(configurations.len() as u64);
         let run = |&exact: &Configuration| {
-            let frames = |of| {
-                record(Description::simulation, scene, of, orders.frames)
-                    .map_err(|error| format!("{}: {error}", scene.name))
-            };
+            let frames =
+                |of| record(simulation, scene, of, orders.frames).map_err(|error| format!("{}: {error}", scene.name));
             let precise = frames(exact)?;
             let point = |scalar| {
                 let configuration = Configuration { scalar, ..exact };

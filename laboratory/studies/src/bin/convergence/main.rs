@@ -1,4 +1,4 @@
-//! Orders, energies and round-off of all solvers: `cargo run --release --example convergence -- --help`.
+//! Orders, energies and round-off of all solvers: `cargo study convergence --help`.
 
 mod energy;
 mod floors;

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use indicatif::ProgressBar;
+use instances::simulation;
 use kerchief::host::{Description, ScalarKind};
 use plotters::style::RGBColor;
 use rayon::prelude::*;
@@ -54,13 +55,12 @@ impl Orders {
         let in_scene = |reason: &dyn std::fmt::Display| format!("{}: {reason}", scene.name);
         let configurations: Vec<_> = substeps.iter().flat_map(|&substeps| usual(ScalarKind::F64, substeps)).collect();
         bar.inc_length(configurations.len() as u64 + 1);
-        let reference = Reference::of(Description::simulation, text, scene, frames, TOLERANCE, cache)
-            .map_err(|error| in_scene(&error))?;
+        let reference =
+            Reference::of(simulation, text, scene, frames, TOLERANCE, cache).map_err(|error| in_scene(&error))?;
         bar.inc(1);
         let run = |&configuration: &Configuration| {
-            let seen =
-                Measurement::of(Description::simulation, scene, configuration, frames, Some(&reference.positions))
-                    .map_err(|e| in_scene(&e))?;
+            let seen = Measurement::of(simulation, scene, configuration, frames, Some(&reference.positions))
+                .map_err(|e| in_scene(&e))?;
             bar.inc(1);
             Ok::<_, String>((configuration, seen.error.unwrap_or(f64::NAN)))
         };

@@ -1,4 +1,4 @@
-//! What the grid and the material do to the result: `cargo run --release --example discretisation -- --help`.
+//! What the grid and the material do to the result: `cargo study discretisation --help`.
 
 mod awning;
 mod grids;

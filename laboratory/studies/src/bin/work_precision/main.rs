@@ -1,4 +1,4 @@
-//! What accuracy costs: `cargo run --release --example work_precision -- --help`.
+//! What accuracy costs: `cargo study work_precision --help`.
 
 mod callgrind;
 mod cost;

@@ -1,7 +1,7 @@
 //! Scenes and states that nobody would write: none panics, none hangs, what a stable solver moves stays finite, and fixed point leaves its range only where
 //! the scene does.
 //!
-//! `PROPTEST_CASES=3000 cargo test --release -p instances --test random_scenes` looks longer. What it finds is kept in `random_scenes.regressions` and tried first. The fuzzers of
+//! `PROPTEST_CASES=3000 cargo test --release -p laboratory --test random_scenes` looks longer. What it finds is kept in `random_scenes.regressions` and tried first. The fuzzers of
 //! `tests/fuzz` look where the code has been least; what they keep is played here too.
 
 use std::fmt::Write;

@@ -42,7 +42,12 @@ frames = 10
 /// The built program.
 fn program() -> Command {
     static PATH: OnceLock<PathBuf> = OnceLock::new();
-    let build = || escargot::CargoBuild::new().example("simulate").current_release();
+    let build = || {
+        escargot::CargoBuild::new()
+            .manifest_path(concat!(env!("CARGO_MANIFEST_DIR"), "/../instances/Cargo.toml"))
+            .example("simulate")
+            .current_release()
+    };
     Command::new(PATH.get_or_init(|| build().run().expect("the example builds").path().to_path_buf()))
 }
 
@@ -281,7 +286,6 @@ fn contents(directory: &Path) -> BTreeMap<String, Vec<u8>> {
 }
 
 #[test]
-#[cfg(not(feature = "window"))]
 fn a_window_needs_its_feature() {
     refuses(room().path(), &["small.toml", "--window"], "--window: ");
 }
