@@ -32,6 +32,7 @@ frames = 4
 /// The built program.
 fn program(name: &str) -> Command {
     Command::new(match name {
+        "board_precision" => env!("CARGO_BIN_EXE_board_precision"),
         "convergence" => env!("CARGO_BIN_EXE_convergence"),
         "discretisation" => env!("CARGO_BIN_EXE_discretisation"),
         "figures" => env!("CARGO_BIN_EXE_figures"),

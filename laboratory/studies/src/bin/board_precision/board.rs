@@ -1,16 +1,15 @@
 //! What a frame costs on a board, and how wrong the same frames are.
 
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
+use emulator::{Firmware, Programs};
+use emulator::machine::{M0, M3, M4F, Machine};
 use instances::simulation;
 use kerchief::host::{Description, ScalarKind};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::firmware::Firmware;
-use crate::machine::{M0, M3, M4F, Machine};
 use laboratory::configuration::Configuration;
 use laboratory::measurement::Measurement;
 use laboratory::page::scientific;
@@ -68,15 +67,9 @@ pub(crate) fn tools() -> Result<(), String> {
 }
 
 /// The programs of a number type, by target. A small flash doesn't hold all number types.
-pub(crate) fn programs(number: ScalarKind, room: &Path) -> Result<BTreeMap<String, PathBuf>, String> {
+pub(crate) fn programs(number: ScalarKind) -> Result<Programs, String> {
     let targets = BOARDS.map(|board| board.machine.target);
-    let built = Firmware::measuring("precision", &targets, [Some(number.name()), None]).build();
-    let keep = |(target, program): (String, PathBuf)| {
-        let copy = room.join(format!("{}-{target}", number.name()));
-        std::fs::copy(&program, &copy).map_err(|error| format!("{}: {error}", copy.display()))?;
-        Ok((target, copy))
-    };
-    built.into_iter().map(keep).collect()
+    Firmware::measuring("precision", &targets, [Some(number.name()), None]).build().map_err(|error| error.to_string())
 }
 
 impl Board {
@@ -85,8 +78,8 @@ impl Board {
     }
 
     /// What every setting of a number type costs.
-    pub(crate) fn costs(self, programs: &BTreeMap<String, PathBuf>) -> Result<Vec<Cost>, String> {
-        let printed = self.machine.run_counted(&programs[self.machine.target]);
+    pub(crate) fn costs(self, programs: &Programs) -> Result<Vec<Cost>, String> {
+        let printed = self.machine.run_counted(&programs[self.machine.target]).map_err(|error| error.to_string())?;
         let cost = |line: &str| {
             let mut fields = line.split("; ");
             let words: Vec<_> = fields.next()?.split(' ').map(str::to_owned).collect();
@@ -105,11 +98,10 @@ impl Board {
 pub(crate) fn errors(costs: &[Cost], cache: &Path) -> Result<Vec<Point>, String> {
     let text = named().into_iter().find(|scene| scene.name == SCENE).expect("a scene of the laboratory").text;
     let scene = Description::parse(text).map_err(|error| error.to_string())?;
-    let start = simulation;
-    let reference = Reference::of(start, text, &scene, scene.frames, CONVERGED, cache)?;
+    let reference = Reference::of(simulation, text, &scene, scene.frames, CONVERGED, cache)?;
     let point = |cost: &Cost| {
         let Cost { board, configuration, instructions, digest } = *cost;
-        let seen = Measurement::of(start, &scene, configuration, scene.frames, Some(&reference.positions))
+        let seen = Measurement::of(simulation, &scene, configuration, scene.frames, Some(&reference.positions))
             .map_err(|error| error.to_string())?;
         if seen.strain.is_finite() && seen.digest != digest {
             return Err(format!("{configuration}: {} moves the sheet otherwise than this machine", board.name()));

@@ -39,11 +39,10 @@ fn run(args: &Args) -> Result<(), String> {
     board::tools()?;
     staging::prepare(&args.out)?;
     prepare_workers()?;
-    let room = tempfile::tempdir().map_err(|error| error.to_string())?;
     let bar = progress("runs", (NUMBERS.len() * BOARDS.len()) as u64);
     let mut runs = Vec::new();
     for number in NUMBERS {
-        let programs = Arc::new(board::programs(number, room.path())?);
+        let programs = Arc::new(board::programs(number)?);
         runs.extend(BOARDS.map(|board| (board, Arc::clone(&programs))));
     }
     let costs = runs.into_par_iter().map(|(board, programs)| {
