@@ -1,0 +1,6 @@
+//! The boards that show something.
+
+pub mod feather;
+pub mod microbit;
+pub mod oled;
+pub mod pico;
