@@ -3,7 +3,6 @@
 use microbit::leds::PINS;
 use nrf51_pac::{GPIO, Peripherals, TIMER0};
 
-
 /// Buttons A and B, low while pressed.
 const BUTTONS: [u32; 2] = [17, 26];
 

@@ -109,6 +109,7 @@ impl Show {
     }
 
     /// A step; nothing where the curtain rests and the joystick too. Says whether there is something new to see.
+    #[inline]
     pub fn step(&mut self, stick: Stick) -> bool {
         let before = self.tilt;
         self.tilt = Stick { right: towards(before.right, stick.right), away: towards(before.away, stick.away) };
