@@ -6,7 +6,10 @@
 //! | SCL | GP5 (I2C0 SCL) |
 //! | VCC, GND | 3V3, GND |
 //!
+//! ![the OLED in the emulator](../../docs/ssd1306.png)
+//!
 //! ```sh
+//! cargo emulate ssd1306 --png ssd1306.png            # in rp2040js
 //! cd examples/ssd1306 && cargo run --release         # on a Pico with a probe
 //! ```
 #![no_std]
@@ -15,7 +18,7 @@
 #[cfg(not(target_os = "none"))]
 compile_error!("firmware runs on a board: run cargo in examples/ssd1306, whose .cargo/config.toml names the target");
 
-use embedded_graphics::pixelcolor::{BinaryColor};
+use embedded_graphics::pixelcolor::BinaryColor;
 use embedded_graphics::prelude::*;
 use kerchief::render::{Camera, View, Wireframe};
 use kerchief::{AerodynamicWind, Cloth, Gravity, Node, Q13, Scene, Shear, Stretch, Units, Xpbd};

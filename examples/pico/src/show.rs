@@ -157,7 +157,6 @@ impl Show {
     }
 
     /// A step; nothing where the sheet rests. Says whether there is something new to see.
-    #[inline]
     pub fn step(&mut self) -> bool {
         self.scene.forces.1.wind = self.play.wind(self.step);
         let rested = self.memory.is_at_rest();

@@ -4,3 +4,5 @@ pub mod feather;
 pub mod microbit;
 pub mod oled;
 pub mod pico;
+mod rp2040;
+pub mod ssd1306;

@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
-use crate::{Result, root};
+use crate::{Result, TOOLCHAIN, root, target};
 
 /// Programs by target.
 pub type Programs = BTreeMap<String, PathBuf>;
@@ -74,13 +74,10 @@ impl<'a> Firmware<'a> {
     }
 
     fn cargo(&self, mut said: impl FnMut(&str)) -> Result<Programs> {
-        let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), |dir| root().join(dir));
-        // one for all packages, so that they share what they depend on
-        let target = target.join("boards");
         let mut cargo = Command::new("rustup");
-        cargo.args(["run", concat!(env!("CARGO_PKG_RUST_VERSION"), ".0"), "cargo", "build", "--locked"]);
+        cargo.args(["run", TOOLCHAIN, "cargo", "build", "--locked"]);
         cargo.args(["--message-format=json-render-diagnostics", "--bin", self.program, "--profile", self.profile]);
-        cargo.args(["--features", self.features]).arg("--target-dir").arg(&target);
+        cargo.args(["--features", self.features]).arg("--target-dir").arg(target());
         for target in self.targets {
             cargo.args(["--target", target]);
         }

@@ -16,7 +16,7 @@ pub mod photograph;
 pub mod program;
 pub mod qemu;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub use firmware::{Firmware, Programs};
 
@@ -25,6 +25,15 @@ pub type Error = Box<dyn std::error::Error + Send + Sync>;
 
 /// What was asked for, or what went wrong.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// The oldest supported Rust.
+pub const TOOLCHAIN: &str = concat!(env!("CARGO_PKG_RUST_VERSION"), ".0");
+
+/// Where programs for boards are built: one place for all packages, so that they share what they depend on.
+pub fn target() -> PathBuf {
+    let target = std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into());
+    root().join(target).join("boards")
+}
 
 /// The root of the repository.
 ///

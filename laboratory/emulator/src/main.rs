@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, ValueEnum};
-use emulator::board::{feather, microbit, oled, pico};
+use emulator::board::{feather, microbit, oled, pico, ssd1306};
 use emulator::qemu::Qemu;
 use emulator::{Firmware, Result, film, footprint, photograph};
 use image::{Rgb, RgbImage};
@@ -46,6 +46,8 @@ enum Board {
     Oled,
     /// Raspberry Pi Pico, LCD of 240 × 240 pixels, in rp2040js
     Pico,
+    /// Raspberry Pi Pico, OLED of 128 × 64 pixels on I2C, in rp2040js
+    Ssd1306,
 }
 
 fn main() -> ExitCode {
@@ -65,6 +67,7 @@ fn run(arguments: &Arguments) -> Result<()> {
         Board::Microbit => &microbit::FIRMWARE,
         Board::Oled => &oled::FIRMWARE,
         Board::Pico => &pico::FIRMWARE,
+        Board::Ssd1306 => &ssd1306::FIRMWARE,
     })?;
     let [flash, ram] = footprint::of(&program)?;
     println!("{flash} bytes of flash, {ram} bytes of RAM and the stack");
@@ -73,6 +76,7 @@ fn run(arguments: &Arguments) -> Result<()> {
         Board::Microbit => run_microbit(&program, arguments),
         Board::Oled => run_oled(&program, arguments),
         Board::Pico => run_pico(&program, arguments),
+        Board::Ssd1306 => run_ssd1306(&program, arguments),
     }
 }
 
@@ -153,6 +157,20 @@ fn run_pico(program: &Path, arguments: &Arguments) -> Result<()> {
     }
     if let Some(path) = &arguments.gif {
         film::save(&run.shots, &run.steps, ::pico::show::RATE, path)?;
+    }
+    Ok(())
+}
+
+fn run_ssd1306(program: &Path, arguments: &Arguments) -> Result<()> {
+    let progress = Progress::steps(arguments.steps);
+    let run = ssd1306::run(program, arguments.steps, |step| progress.step(step))?;
+    drop(progress);
+    println!("{:.0} ms for {} pictures", run.milliseconds, arguments.steps);
+    if !run.errors.is_empty() {
+        return Err(run.errors.join("\n").into());
+    }
+    if let Some(path) = &arguments.png {
+        save(&photograph::photograph(&run.picture(), 5, 1), path)?;
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! Measures the figures on the emulated boards, and holds the committed ones to them.
 
 use std::collections::BTreeMap;
+use std::thread;
 
 use cases::bench::{self, Bench, SIDE, WARM_UP, counted};
 use emulator::Firmware;
@@ -59,7 +60,13 @@ fn measured() -> Vec<Figure> {
     bench::play_all(&mut here);
     let mut numbers: Vec<_> = here.0.iter().map(|scene| scene.number).collect();
     numbers.dedup();
-    numbers.into_iter().flat_map(|number| executed(number, &here)).map(linked).collect()
+    // a board counts while a program is linked
+    thread::scope(|scope| {
+        let flash = scope.spawn(|| here.0.iter().map(linked).collect::<Vec<_>>());
+        let counted: Vec<_> = numbers.into_iter().flat_map(|number| executed(number, &here)).collect();
+        let flash = flash.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        counted.into_iter().zip(flash).map(|(figure, flash)| Figure { flash, ..figure }).collect()
+    })
 }
 
 /// Instructions, from the boards.
@@ -74,6 +81,8 @@ fn executed(number: &str, here: &Here) -> Vec<Figure> {
     });
     let expected = here.0.iter().filter(|scene| scene.number == number).count();
     assert_eq!([m0.len(), m3.len(), m4f.len()], [expected; 3], "a line for every scene");
+    let order = here.0.iter().filter(|scene| scene.number == number).map(|scene| scene.scene);
+    assert!(order.eq(m0.iter().map(|figure| figure.scene.as_str())), "boards meet scenes in another order");
     let scenes = m0.into_iter().zip(m3).zip(m4f);
     scenes.map(|((m0, m3), m4f)| Figure { m3: m3.m0, m4f: m4f.m0, ..m0 }).collect()
 }
@@ -90,15 +99,16 @@ fn parse(line: &str, machine: &str, here: &Here) -> Figure {
     Figure { number: number.into(), scene: scene.into(), m0, cloth, memory, ..Figure::default() }
 }
 
-/// Adds what the linked program says.
-fn linked(figure: Figure) -> Figure {
-    let only = [Some(figure.number.as_str()), Some(figure.scene.as_str())];
+/// The flash that a scene's own program takes, which contains and calls nothing that it must not.
+fn linked(played: &Played) -> u64 {
+    let Played { number, scene, .. } = *played;
+    let only = [Some(number), Some(scene)];
     let targets = [M0.target];
     let firmware = Firmware::measuring("footprint", &targets, only);
     let image = Image::read(&firmware.build().unwrap()[M0.target]);
-    rules::check(&image, &figure.number, &figure.scene);
-    assert_eq!(image.ram, 0, "{} in {} has variables of its own", figure.scene, figure.number);
-    Figure { flash: image.flash, ..figure }
+    rules::check(&image, number, scene);
+    assert_eq!(image.ram, 0, "{scene} in {number} has variables of its own");
+    image.flash
 }
 
 /// A scene as it moves here.

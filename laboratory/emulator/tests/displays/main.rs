@@ -6,3 +6,4 @@ mod microbit;
 mod oled;
 mod pico;
 mod report;
+mod ssd1306;
