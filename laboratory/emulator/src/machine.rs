@@ -36,7 +36,8 @@ const M4: Machine = board("Cortex-M4 without FPU", "thumbv7em-none-eabi", "corte
 pub const M4F: Machine = board("Cortex-M4F", "thumbv7em-none-eabihf", "cortex-m4");
 const M7: Machine = board("Cortex-M7", "thumbv7em-none-eabihf", "cortex-m7");
 const M33: Machine = board("Cortex-M33", "thumbv7em-none-eabihf", "cortex-m33");
-const WASM: Machine = Machine { name: "WebAssembly", target: "wasm32-wasip1", kind: Kind::Node };
+/// A virtual machine for WebAssembly.
+pub const WASM: Machine = Machine { name: "WebAssembly", target: "wasm32-wasip1", kind: Kind::Node };
 
 /// Every machine.
 pub const ALL: [Machine; 7] = [M0, M3, M4, M4F, M7, M33, WASM];

@@ -1,6 +1,6 @@
 //! Firmware on emulated boards: equal digests on every machine, executed instructions, flash and RAM, and what a step links.
 //!
-//! `UPDATE_INSTRUCTIONS=1 cargo test -p emulator --test boards` writes the figures anew.
+//! `UPDATE_INSTRUCTIONS=1 cargo test -p emulator --test boards -- --ignored published` writes the figures anew.
 
 mod capacity;
 mod digests;

@@ -13,20 +13,34 @@ use crate::figures::{self, Figure, TICK};
 use crate::image::Image;
 use crate::{report, rules};
 
+/// The number type whose figures are always measured.
+const USUAL: &str = "q24";
+
 #[test]
+fn figures_of_q24_are_those_that_are_published() {
+    check(|number| number == USUAL);
+    report::check(&figures::read());
+}
+
+#[test]
+#[ignore = "long: the figures of every other number type, and all of them where they are written"]
 fn figures_are_those_that_are_published() {
-    let found = measured();
-    let committed = if std::env::var_os("UPDATE_INSTRUCTIONS").is_some() {
+    if std::env::var_os("UPDATE_INSTRUCTIONS").is_some() {
+        let found = measured(|_| true);
         figures::write(&found);
         report::write(&found);
-        found.clone()
-    } else {
-        figures::read()
-    };
+    }
+    check(|number| number != USUAL);
+    report::check(&figures::read());
+}
+
+/// Holds the figures of some number types to what is measured.
+fn check(is_wanted: impl Fn(&str) -> bool) {
+    let found = measured(&is_wanted);
+    let committed: Vec<_> = figures::read().into_iter().filter(|figure| is_wanted(&figure.number)).collect();
     let differences = figures::differences(&committed, &found);
-    let help = "`UPDATE_INSTRUCTIONS=1 cargo test -p emulator --test boards` writes them anew";
+    let help = "`UPDATE_INSTRUCTIONS=1 cargo test -p emulator --test boards -- --ignored published` writes them anew";
     assert!(differences.is_empty(), "other figures than the published ones ({help}):\n{}", differences.join("\n"));
-    report::check(&committed);
     nothing_is_free(&found);
     rest_is_cheap(&found);
 }
@@ -54,10 +68,11 @@ fn rest_is_cheap(figures: &[Figure]) {
     }
 }
 
-/// Every scene in every number type, counted and linked.
-fn measured() -> Vec<Figure> {
+/// Every scene in some number types, counted and linked.
+fn measured(is_wanted: impl Fn(&str) -> bool) -> Vec<Figure> {
     let mut here = Here::default();
     bench::play_all(&mut here);
+    here.0.retain(|played| is_wanted(played.number));
     let mut numbers: Vec<_> = here.0.iter().map(|scene| scene.number).collect();
     numbers.dedup();
     // a board counts while a program is linked
@@ -142,23 +157,21 @@ impl Bench for Here {
     }
 }
 
-/// The largest strain of any link in motion, in a second from the start, by number type.
-pub(crate) fn strains(scene: &'static str) -> BTreeMap<&'static str, f64> {
-    let mut strains = Strains { scene, found: BTreeMap::new() };
+/// The largest strain of any link in motion by the line solver, in a second from the start, by number type.
+pub(crate) fn strains() -> BTreeMap<&'static str, f64> {
+    let mut strains = Strains::default();
     bench::play_all(&mut strains);
-    strains.found
+    strains.0
 }
 
-struct Strains {
-    scene: &'static str,
-    found: BTreeMap<&'static str, f64>,
-}
+#[derive(Debug, Default)]
+struct Strains(BTreeMap<&'static str, f64>);
 
 impl Bench for Strains {
     const NUMBER: Option<&'static str> = None;
-    const SCENE: Option<&'static str> = None;
+    const SCENE: Option<&'static str> = Some("lines");
 
-    fn scene<S, F, L, C, V>(&mut self, name: &'static str, scene: &Scene<F, L, C, V>, mut cloth: Cloth<S, SIDE, SIDE>)
+    fn scene<S, F, L, C, V>(&mut self, _name: &'static str, scene: &Scene<F, L, C, V>, mut cloth: Cloth<S, SIDE, SIDE>)
     where
         S: Scalar,
         F: Force<S>,
@@ -166,15 +179,12 @@ impl Bench for Strains {
         C: Collider<S>,
         V: Solver<S>,
     {
-        if name != self.scene {
-            return;
-        }
         let mut memory = scene.memory();
         let mut largest = 0.0_f64;
         for _ in 0..60 {
             scene.step(&mut cloth, &mut memory);
             largest = largest.max(bench::stretch_strain(&cloth));
         }
-        self.found.insert(S::NAME, largest);
+        self.0.insert(S::NAME, largest);
     }
 }

@@ -119,7 +119,7 @@ fn page(figures: &[Figure]) -> String {
          Executed instructions, loads and stores included, averaged over a sheet of {SIDE} × {SIDE} particles that hangs from two corners. Counted by \
          `SysTick` in QEMU, where every instruction takes a nanosecond; compiled by Rust {}.0 with the profile `release` of `laboratory/firmware`. A scene's numbers \
          are not known to the compiler. [`instructions.csv`](instructions.csv) has the counts themselves.\n\n\
-         `cargo test -p emulator --test boards` measures all of it and fails where anything is off by more than 3 %; with `UPDATE_INSTRUCTIONS=1` it writes this page.\n",
+         `cargo test -p emulator --test boards -- --include-ignored` measures all of it and fails where anything is off by more than 3 %; with `UPDATE_INSTRUCTIONS=1` it writes this page.\n",
         env!("CARGO_PKG_RUST_VERSION")
     );
     text += "\n## Kernels\n\nInstructions of one run.\n\n";
@@ -136,7 +136,7 @@ fn page(figures: &[Figure]) -> String {
             text += &row(&[name, number], &thousands(figures.get(number, scene)));
         }
     }
-    let strains = strains("lines");
+    let strains = strains();
     assert!(strains.values().all(|strain| *strain <= 0.01), "the line solver's strain: {strains:?}");
     let strains: Vec<_> =
         strains.iter().map(|(number, strain)| format!("{:.2} % in {number}", 100.0 * strain)).collect();

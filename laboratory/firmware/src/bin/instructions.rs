@@ -9,7 +9,7 @@
 //! ```
 //!
 //! `KERCHIEF_NUMBER` and `KERCHIEF_SCENE` in the environment of the build leave one number type or one scene: a small flash doesn't hold all.
-//! `UPDATE_INSTRUCTIONS=1 cargo test -p emulator --test boards` makes `docs/instructions.md` of it.
+//! `UPDATE_INSTRUCTIONS=1 cargo test -p emulator --test boards -- --ignored published` makes `docs/instructions.md` of it.
 #![no_std]
 #![no_main]
 
