@@ -1,0 +1,7 @@
+//! What the LEDs show. Nothing here knows the board: a host plays the same, to the last bit.
+#![no_std]
+#![forbid(unsafe_code)]
+
+pub mod breeze;
+pub mod leds;
+pub mod show;

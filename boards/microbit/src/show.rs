@@ -1,0 +1,88 @@
+//! What the LEDs show: a flag of 8 × 8 particles, brighter where it blows towards the viewer.
+
+use kerchief::{Cloth, Gravity, Node, Q13, Scalar, Scene, Shear, Stretch, Units, Xpbd};
+
+use crate::breeze::Breeze;
+use crate::leds::{BRIGHTEST, LEDS};
+
+/// Particles a side.
+const SIDE: usize = 8;
+/// Steps in a second.
+pub const RATE: u32 = 60;
+
+/// A flag of 7 m × 7 m.
+const UNITS: Units = Units::sheet([SIDE, SIDE], [7.0, 7.0], 0.2, 1.0 / RATE as f64, 1);
+/// The strongest wind, by the buttons.
+const STRONGEST: u32 = 3;
+
+type Forces = (Gravity<Q13>, Breeze);
+type Springs = (Stretch<Q13>, Shear<Q13>);
+
+/// The flag and what moves it.
+#[derive(Debug)]
+pub struct Show {
+    /// The flag.
+    pub cloth: Cloth<Q13, SIDE, SIDE>,
+    scene: Scene<Forces, Springs, (), Xpbd>,
+    /// How strongly it blows: 0 is calm.
+    wind: u32,
+    /// Steps since the start.
+    step: u32,
+}
+
+impl Show {
+    /// A flag that hangs from its pole, in wind.
+    pub fn new() -> Self {
+        let mut cloth = Cloth::hang(&UNITS, UNITS.point([0.0; 3]));
+        (0..SIDE).for_each(|row| cloth.pin(Node::new(0, row)));
+        let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), Breeze { wind: [0; 3] });
+        let links = (Stretch::new(&UNITS, UNITS.stiffness(5_000.0)), Shear::new(&UNITS, UNITS.stiffness(500.0)));
+        Self { cloth, scene: Scene::new(&UNITS, forces, links, (), Xpbd), wind: 2, step: 0 }
+    }
+
+    /// More wind, or less.
+    pub fn press(&mut self, more: bool) {
+        self.wind = if more { (self.wind + 1).min(STRONGEST) } else { self.wind.saturating_sub(1) };
+    }
+
+    /// A step.
+    pub fn step(&mut self) {
+        /// 3 m/s as a [`Breeze`] has it.
+        const UNIT: i32 = (UNITS.velocity([3.0, 0.0, 0.0]).0[0] * 8192.0) as i32;
+        self.step += 1;
+        let strength = UNIT * self.wind as i32;
+        // it turns from side to side
+        self.scene.forces.1.wind = [strength, (strength * swing(self.step)) >> 6, 0];
+        self.scene.step(&mut self.cloth, &mut ());
+    }
+
+    /// How bright each LED is: the depth of the cloth before it, dark where there is none. Row 0 is the upper one.
+    pub fn picture(&self) -> [[u32; LEDS]; LEDS] {
+        let mut sums = [[(0, 0); LEDS]; LEDS];
+        for place in self.cloth.position.values() {
+            // a LED is 1.6 cells wide; the flag may sink to the lowest row
+            let at = |cells: Q13| usize::try_from((cells + Q13::HALF).round_times(40) >> 6).ok();
+            let (Some(column), Some(row)) = (at(place.x), at(-place.z)) else { continue };
+            if let Some((depth, count)) = sums.get_mut(row).and_then(|row| row.get_mut(column)) {
+                *depth += place.y.round_times(16);
+                *count += 1;
+            }
+        }
+        // half as bright in the plane of the pole; a cell nearer or further is a level
+        let level = |(depth, count): (i32, i32)| {
+            if count == 0 {
+                0
+            } else {
+                ((40 - depth.checked_div(count).unwrap_or(0)) >> 4).clamp(1, BRIGHTEST as i32) as u32
+            }
+        };
+        sums.map(|row| row.map(level))
+    }
+}
+
+/// A triangle wave of 90 steps, from −64 to 64.
+fn swing(step: u32) -> i32 {
+    let phase = (step % 90) as i32;
+    let rising = if phase < 45 { phase } else { 90 - phase };
+    (rising * 128 / 45) - 64
+}

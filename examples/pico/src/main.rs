@@ -1,0 +1,179 @@
+//! A flag in gusts of wind, on a Raspberry Pi Pico with an LCD. The button goes on to a flag in a steady breeze, and to a cloth on two corners in calm air.
+//!
+//! | LCD (ST7789, 240 × 240) | Pico |
+//! |---|---|
+//! | SCL | GP18 (SPI0 SCK) |
+//! | SDA | GP19 (SPI0 TX) |
+//! | CS | GP17 |
+//! | DC | GP16 |
+//! | RES | GP20 |
+//! | BLK | GP21 |
+//! | VCC, GND | 3V3, GND |
+//!
+//! | button | Pico |
+//! |---|---|
+//! | one side, the other | GP15, GND |
+//!
+//! ![the LCD in the emulator](../../../docs/pico.png)
+//!
+//! ```sh
+//! cargo emulate pico --png pico.png                  # in rp2040js: the picture after 120 steps, and the log
+//! cd examples/pico && cargo run --release            # on a Pico with a probe
+//! ```
+//!
+//! To start a program of your own, copy the package and the memory map, which then lies beside its `Cargo.toml`:
+//!
+//! ```sh
+//! cp -r examples/pico my-flag && cp memory.x my-flag
+//! ```
+//!
+//! A step is a 40th of a second. Where pictures take longer, two steps are made up between them and the rest is dropped. At rest there is neither a step nor a
+//! byte for the display: the processor sleeps. The log goes through RTT.
+#![no_std]
+#![no_main]
+
+#[cfg(not(target_os = "none"))]
+compile_error!("firmware runs on a board: run cargo in examples/pico, whose .cargo/config.toml names the target");
+
+mod clock;
+mod lcd;
+mod meter;
+mod pace;
+
+use clock::Clock;
+use defmt_rtt as _;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::prelude::RgbColor;
+use embedded_hal::digital::{InputPin, OutputPin};
+use embedded_hal::spi::MODE_3;
+use embedded_hal_bus::spi::ExclusiveDevice;
+use kerchief::measure;
+use kerchief::render::Canvas;
+use lcd::Lcd;
+use meter::{Lap, Meter, shown};
+use mipidsi::Builder;
+use mipidsi::interface::SpiInterface;
+use mipidsi::models::ST7789;
+use mipidsi::options::ColorInversion;
+use pace::Pace;
+use panic_probe as _;
+use pico::picture::{BLACK, Picture, Rows};
+use pico::show::{NOTE, RATE, SCREEN, Show};
+use rp2040_hal::clocks::{Clock as _, init_clocks_and_plls};
+use rp2040_hal::fugit::RateExtU32;
+use rp2040_hal::gpio::{FunctionSpi, Pins};
+use rp2040_hal::pac::{CorePeripherals, Peripherals};
+use rp2040_hal::{Sio, Spi, Timer, Watchdog};
+use static_cell::{ConstStaticCell, StaticCell};
+
+/// What the boot ROM runs first: it makes the flash readable.
+#[unsafe(link_section = ".boot2")]
+#[unsafe(no_mangle)]
+#[used]
+#[allow(unsafe_code, reason = "a section of its own")]
+static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
+
+/// The crystal of a Pico, Hz.
+const CRYSTAL: u32 = 12_000_000;
+/// Steps between two lines of the log.
+const LOGGED: u32 = 60;
+
+static SHOW: StaticCell<Show> = StaticCell::new();
+static ROWS: ConstStaticCell<Rows> = ConstStaticCell::new(BLACK);
+
+#[rp2040_hal::entry]
+fn main() -> ! {
+    let (Some(core), Some(mut chip)) = (CorePeripherals::take(), Peripherals::take()) else { defmt::unreachable!() };
+    let mut watchdog = Watchdog::new(chip.WATCHDOG);
+    let clocks = init_clocks_and_plls(
+        CRYSTAL,
+        chip.XOSC,
+        chip.CLOCKS,
+        chip.PLL_SYS,
+        chip.PLL_USB,
+        &mut chip.RESETS,
+        &mut watchdog,
+    );
+    let Ok(clocks) = clocks else { defmt::panic!("the clocks do not start") };
+    let sio = Sio::new(chip.SIO);
+    let pins = Pins::new(chip.IO_BANK0, chip.PADS_BANK0, sio.gpio_bank0, &mut chip.RESETS);
+    let mut timer = Timer::new(chip.TIMER, &mut chip.RESETS, &clocks);
+    let mut button = pins.gpio15.into_pull_up_input();
+    let mut light = pins.gpio21.into_push_pull_output();
+
+    let wires = (pins.gpio19.into_function::<FunctionSpi>(), pins.gpio18.into_function::<FunctionSpi>());
+    let spi = Spi::<_, _, _, 8>::new(chip.SPI0, wires);
+    let mut spi = spi.init(&mut chip.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
+    let mut select = pins.gpio17.into_push_pull_output();
+    let mut data = pins.gpio16.into_push_pull_output();
+    let Ok(device) = ExclusiveDevice::new_no_delay(&mut spi, &mut select);
+    let mut buffer = [0; 64];
+    let display = Builder::new(ST7789, SpiInterface::new(device, &mut data, &mut buffer))
+        .display_size(SCREEN.width as u16, SCREEN.height as u16)
+        .invert_colors(ColorInversion::Inverted)
+        .reset_pin(pins.gpio20.into_push_pull_output())
+        .init(&mut timer);
+    if display.is_err() {
+        defmt::panic!("the display does not start");
+    }
+    drop(display);
+
+    // from here on frames have 16 bits
+    let (interface, wires) = spi.disable().free();
+    let spi = Spi::<_, _, _, 16>::new(interface, wires);
+    let spi = spi.init(&mut chip.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
+    let mut lcd = Lcd { spi, select, data };
+
+    let show = SHOW.init_with(Show::new);
+    let canvas = &mut Canvas::new(Picture::new(ROWS.take()));
+    // what a display shows at first is anything
+    let Ok(()) = canvas.clear(Rgb565::BLACK);
+    let frequency = clocks.system_clock.freq().to_Hz();
+    let clock = Clock::start(core.SYST, frequency / RATE);
+    let mut pace = Pace::new(2);
+    let mut meter = Meter::default();
+    let (mut now, mut step, mut first, mut pressed) = (0, 0, true, false);
+    let mut logged = clock.cycles();
+    loop {
+        now = clock.wait(now);
+        let start = clock.cycles();
+        let Ok(down) = button.is_low();
+        let mut changed = first;
+        if down && !pressed {
+            show.press();
+            let Ok(()) = canvas.clear(Rgb565::BLACK);
+            changed = true;
+        }
+        pressed = down;
+        let due = pace.due(now);
+        for _ in 0..due {
+            changed |= show.step();
+        }
+        step += due;
+        if !changed {
+            continue;
+        }
+        let simulated = clock.cycles();
+        let Ok(()) = canvas.restore(|behind| show.draw_sky(behind));
+        let sort = Lap::time(canvas, &clock, |lap| show.draw(lap));
+        let drawn = clock.cycles();
+        let Ok(()) = canvas.send(|picture, area| lcd.send(picture, area));
+        let sent = clock.cycles();
+        if core::mem::take(&mut first) {
+            // no sooner is there anything to see
+            let Ok(()) = light.set_high();
+        }
+        meter.add([start, simulated, drawn, sent], sort);
+        if step % LOGGED < due {
+            let gone = clock.cycles().wrapping_sub(logged);
+            logged = logged.wrapping_add(gone);
+            let rate = meter.rate(frequency, gone);
+            meter.log(step, rate, pace.dropped, measure::digest(&show.cloth));
+            show.note(rate);
+            // the backdrop is drawn there too
+            let Ok(()) = canvas.fill_solid(&NOTE, Rgb565::BLACK);
+        }
+        shown(step);
+    }
+}

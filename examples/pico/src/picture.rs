@@ -1,0 +1,90 @@
+//! The picture as the display wants it: 16 bits a pixel.
+
+use core::convert::Infallible;
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::image::GetPixel;
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
+use embedded_graphics::primitives::Rectangle;
+
+use crate::show::SCREEN;
+
+const WIDTH: usize = SCREEN.width as usize;
+const HEIGHT: usize = SCREEN.height as usize;
+
+/// All pixels, black.
+#[allow(clippy::large_const_arrays, reason = "what a static starts as")]
+pub const BLACK: Rows = [[0; WIDTH]; HEIGHT];
+
+/// The pixels, 115 200 bytes.
+pub type Rows = [[u16; WIDTH]; HEIGHT];
+
+/// A picture of 240 × 240 pixels, which no stack would hold.
+#[derive(Debug)]
+pub struct Picture {
+    rows: &'static mut Rows,
+}
+
+impl Picture {
+    /// A picture in these rows.
+    pub fn new(rows: &'static mut Rows) -> Self {
+        Self { rows }
+    }
+
+    /// The part of each row that lies in an area of the picture.
+    pub fn parts(&self, area: &Rectangle) -> impl Iterator<Item = &[u16]> {
+        let [left, top] = [area.top_left.x, area.top_left.y].map(|place| place as usize);
+        let [width, height] = [area.size.width, area.size.height].map(|side| side as usize);
+        self.rows.iter().skip(top).take(height).filter_map(move |row| row.get(left..left + width))
+    }
+}
+
+impl OriginDimensions for Picture {
+    fn size(&self) -> Size {
+        SCREEN
+    }
+}
+
+impl GetPixel for Picture {
+    type Color = Rgb565;
+
+    fn pixel(&self, at: Point) -> Option<Rgb565> {
+        let row = self.rows.get(usize::try_from(at.y).ok()?)?;
+        Some(RawU16::new(*row.get(usize::try_from(at.x).ok()?)?).into())
+    }
+}
+
+impl DrawTarget for Picture {
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        pixels.into_iter().try_for_each(|Pixel(at, color)| self.fill_solid(&Rectangle::new(at, Size::new(1, 1)), color))
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: Rgb565) -> Result<(), Infallible> {
+        let color = RawU16::from(color).into_inner();
+        let end = area.top_left + area.size;
+        if area.size.height == 1 {
+            // a part of a row within the picture, as faces consist of
+            let row = self.rows.get_mut(area.top_left.y as usize);
+            if let Some(part) = row.and_then(|row| row.get_mut(area.top_left.x as usize..end.x as usize)) {
+                part.fill(color);
+                return Ok(());
+            }
+        }
+        let within = |place: i32, side: usize| place.clamp(0, side as i32) as usize;
+        let columns = within(area.top_left.x, WIDTH)..within(end.x, WIDTH);
+        if let Some(rows) = self.rows.get_mut(within(area.top_left.y, HEIGHT)..within(end.y, HEIGHT)) {
+            for row in rows {
+                if let Some(part) = row.get_mut(columns.clone()) {
+                    part.fill(color);
+                }
+            }
+        }
+        Ok(())
+    }
+}

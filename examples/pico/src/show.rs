@@ -1,0 +1,257 @@
+//! What the LCD shows: a flag before the sky, in gusts or in a steady breeze, and a cloth on two corners that comes to rest.
+
+use core::fmt::Write;
+
+use embedded_graphics::mono_font::MonoTextStyle;
+use embedded_graphics::mono_font::ascii::FONT_7X13;
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle};
+use embedded_graphics::text::{Baseline, Text};
+use heapless::String;
+use kerchief::render::pattern::{CELL, Pattern, Place};
+use kerchief::render::{Camera, Light, Look, Shade, Shaded, View};
+use kerchief::{
+    Cloth, Gravity, Node, Q13, Resting, Scalar, Scene, Shear, Solver, Stillness, Stretch, Units, Vec3, Xpbd, measure,
+};
+
+use crate::breeze::Breeze;
+
+/// Particles a side.
+const SIDE: usize = 16;
+/// Steps in a second.
+pub const RATE: u32 = 40;
+/// The display.
+pub const SCREEN: Size = Size::new(240, 240);
+
+/// Substeps of a step: with fewer, more links are strained beyond 6 %, where those of [`Q13`] cost several times as much.
+/// (The line solver, one substep and a sweep or two, strains the flag by 2 to 5 % in place of 10 to 17, for 1.1 million cycles a step in place of 0.6.)
+const SUBSTEPS: u32 = 2;
+/// A flag of 24 m × 16 m: the larger, the less a step strains it. Row 0 is at the pole: links between particles of mass 1 cost less, and only this row has others.
+const UNITS: Units = Units::sheet([SIDE, SIDE], [16.0, 24.0], 0.05, 1.0 / RATE as f64, SUBSTEPS);
+const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.8, -3.2, -20.0]), UNITS.point([23.2, 3.2, 2.4]), SCREEN);
+/// What moves by less than two pixels a second rests: 20 cm/s. `Q13` lets a stretched cloth tremble by a quarter of that.
+const STILL: Stillness = Stillness { speed: 0.2, acceleration: 0.2, time: 0.5 };
+/// 1 m/s as a [`Breeze`] has it.
+const METRE: i32 = (UNITS.velocity([1.0, 0.0, 0.0]).0[0] * 8192.0) as i32;
+
+type Forces = (Gravity<Q13>, Breeze);
+type Springs = (Stretch<Q13>, Shear<Q13>);
+type Mover = Resting<Xpbd>;
+
+/// Three bands, the middle one narrower.
+#[derive(Clone, Copy, Debug)]
+pub struct Bands;
+
+impl Pattern for Bands {
+    fn tone(&self, at: &Place) -> Rgb888 {
+        match at.across / CELL {
+            0..=4 => Rgb888::new(236, 168, 52),
+            5..=9 => Rgb888::new(250, 240, 220),
+            _ => Rgb888::new(22, 118, 116),
+        }
+    }
+}
+
+const LOOK: Look<Bands, Bands> = {
+    let lamp = Light::new(-52.0, 38.0);
+    let light = Light {
+        lamp: Rgb888::new(190, 180, 158),
+        sky: Rgb888::new(104, 112, 124),
+        ground: Rgb888::new(62, 60, 62),
+        ..lamp
+    };
+    Look::new(light, Bands)
+};
+
+/// What is played. The button goes from one to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Play {
+    /// A flag in wind that swells and turns.
+    Gusts,
+    /// A flag in wind that hardly changes.
+    Breeze,
+    /// A cloth in folds that is let go on two corners, in calm air.
+    Corners,
+}
+
+impl Play {
+    const fn next(self) -> Self {
+        match self {
+            Self::Gusts => Self::Breeze,
+            Self::Breeze => Self::Corners,
+            Self::Corners => Self::Gusts,
+        }
+    }
+
+    /// The wind after so many steps, as a [`Breeze`] has it.
+    fn wind(self, step: u32) -> [i32; 3] {
+        let phase = step * 3 / 4;
+        let [along, across, up] = match self {
+            Self::Gusts => [
+                768 + 2 * wave(phase * 2) + wave(phase * 3 + 40) * 3 / 2,
+                3 * wave(phase * 5) + wave(phase * 7 / 2 + 90) * 3 / 2,
+                wave(phase * 4 + 17),
+            ],
+            Self::Breeze => [900, 2 * wave(phase * 4), wave(phase * 3) / 2],
+            Self::Corners => [0; 3],
+        };
+        // in 96ths of a metre a second
+        [along, across, up].map(|speed| speed * METRE / 96)
+    }
+}
+
+/// The sky at the top and at the bottom.
+const SKY: [Rgb888; 2] = [Rgb888::new(84, 142, 190), Rgb888::new(236, 226, 206)];
+/// The pole from its left to its right, the rail from its top down.
+const POLE: [Rgb888; 4] =
+    [Rgb888::new(206, 196, 178), Rgb888::new(238, 232, 220), Rgb888::new(150, 138, 122), Rgb888::new(96, 88, 80)];
+const INK: Rgb888 = Rgb888::new(244, 248, 252);
+/// Where the note stands.
+pub const NOTE: Rectangle = Rectangle::new(Point::new(8, 6), Size::new(31 * 7, 13));
+
+/// A sheet, what moves it and how it is drawn.
+#[derive(Debug)]
+pub struct Show {
+    /// The flag or the cloth.
+    pub cloth: Cloth<Q13, SIDE, SIDE>,
+    scene: Scene<Forces, Springs, (), Mover>,
+    memory: <Mover as Solver<Q13>>::Memory<SIDE, SIDE>,
+    play: Play,
+    /// Steps since the play's start.
+    step: u32,
+    shaded: Shaded<Look<Bands, Bands>, SIDE, SIDE>,
+    camera: Camera<Q13>,
+    /// Where the sheet's upper corners were at first, pixels.
+    corners: [Point; 2],
+    note: String<31>,
+}
+
+impl Show {
+    /// A flag in gusts, at its start.
+    pub fn new() -> Self {
+        let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), Breeze { wind: [0; 3] });
+        let links = (Stretch::new(&UNITS, UNITS.stiffness(200_000.0)), Shear::new(&UNITS, UNITS.stiffness(10_000.0)));
+        let scene = Scene::new(&UNITS, forces, links, (), Resting::new(&UNITS, STILL, Xpbd));
+        let camera = Camera::new(&VIEW, SCREEN);
+        Self {
+            cloth: flag(),
+            memory: scene.memory::<Q13, SIDE, SIDE>(),
+            scene,
+            play: Play::Gusts,
+            step: 0,
+            shaded: Shaded::new(LOOK),
+            corners: corners(&flag(), &camera),
+            camera,
+            note: String::new(),
+        }
+    }
+
+    /// The next play, from its start.
+    pub fn press(&mut self) {
+        self.play = self.play.next();
+        self.cloth = if self.play == Play::Corners { folds() } else { flag() };
+        self.corners = corners(&self.cloth, &self.camera);
+        self.memory = self.scene.memory::<Q13, SIDE, SIDE>();
+        self.step = 0;
+    }
+
+    /// A step; nothing where the sheet rests. Says whether there is something new to see.
+    pub fn step(&mut self) -> bool {
+        self.scene.forces.1.wind = self.play.wind(self.step);
+        let rested = self.memory.is_at_rest();
+        self.scene.step(&mut self.cloth, &mut self.memory);
+        self.step += 1;
+        !(rested && self.memory.is_at_rest())
+    }
+
+    /// Notes on the display how many pictures there are in a second, and how far the most strained of the stretch links is strained now. The note appears where [`NOTE`] is
+    /// drawn anew.
+    pub fn note(&mut self, rate: u32) {
+        let strain = measure::strain(&self.cloth, &self.scene.links.0).largest.round_times(1000);
+        self.note.clear();
+        // there is room for numbers of any size
+        let _ = write!(self.note, "{rate} pictures/s, strain {}.{} %", strain / 10, strain % 10);
+    }
+
+    /// Draws all that is behind the sheet where it is seen on a target.
+    pub fn draw_sky<D: DrawTarget<Color: Shade>>(&self, target: &mut D) -> Result<(), D::Error> {
+        let area = target.bounding_box();
+        for y in area.rows() {
+            // 256/240 without a division
+            let part = (y * 273) >> 8;
+            let channel = |of: fn(&Rgb888) -> u8| {
+                let [from, to] = SKY.map(|tone| i32::from(of(&tone)));
+                (from + (((to - from) * part) >> 8)) as u8
+            };
+            let tone = Rgb888::new(channel(RgbColor::r), channel(RgbColor::g), channel(RgbColor::b));
+            let row = Rectangle::new(Point::new(area.top_left.x, y), Size::new(area.size.width, 1));
+            target.fill_solid(&row, D::Color::nearest(tone))?;
+        }
+        let [left, right] = self.corners;
+        for (k, tone) in (0..).zip(POLE) {
+            let color = D::Color::nearest(tone);
+            if self.play == Play::Corners {
+                let [left, right] = [left + Point::new(-8, k - 3), right + Point::new(8, k - 4)];
+                Line::new(left, right).into_styled(PrimitiveStyle::with_stroke(color, 1)).draw(target)?;
+            } else {
+                let stripe = Rectangle::new(Point::new(left.x - 4 + k, 30), Size::new(1, SCREEN.height));
+                target.fill_solid(&stripe, color)?;
+            }
+        }
+        if area.intersection(&NOTE).is_zero_sized() {
+            return Ok(());
+        }
+        let style = MonoTextStyle::new(&FONT_7X13, D::Color::nearest(INK));
+        Text::with_baseline(&self.note, NOTE.top_left, style, Baseline::Top).draw(target)?;
+        Ok(())
+    }
+
+    /// Draws the sheet.
+    pub fn draw<D: DrawTarget<Color: Shade>>(&mut self, target: &mut D) -> Result<(), D::Error> {
+        self.shaded.draw(&self.cloth, &self.camera, target)
+    }
+}
+
+/// A flag that is tied to its pole with four toggles.
+fn flag() -> Cloth<Q13, SIDE, SIDE> {
+    let mut cloth = spread(|row| [Q13::from_int(row as i32), Q13::ZERO]);
+    (0..SIDE).step_by(5).for_each(|column| cloth.pin(Node::new(column, 0)));
+    cloth
+}
+
+/// A cloth in upright folds, pinned at its upper corners.
+fn folds() -> Cloth<Q13, SIDE, SIDE> {
+    /// How far out of line folds are, and how far apart their edges are along the rail: they keep their distance.
+    const FOLD: [f64; 2] = [0.5, 0.866_025];
+    let [out, along] = FOLD.map(Q13::from_f64);
+    let mut cloth = spread(|row| [Q13::ONE + along.times(row as i32), out.times([0, 1, 0, -1][row % 4])]);
+    [0, SIDE - 1].into_iter().for_each(|row| cloth.pin(Node::new(0, row)));
+    cloth
+}
+
+/// An upright sheet. `place` says where each of its rows is, from the pole and out of line, in the distance of rows.
+fn spread(place: impl Fn(usize) -> [Q13; 2]) -> Cloth<Q13, SIDE, SIDE> {
+    let mut cloth = Cloth::<Q13, SIDE, SIDE>::hang(&UNITS, UNITS.point([0.0; 3]));
+    // row 0 last: it says how far down the columns are
+    for row in (0..SIDE).rev() {
+        let [along, out] = place(row);
+        for column in 0..SIDE {
+            let down = cloth.position.at(Node::new(column, 0)).x;
+            cloth.position.set(Node::new(column, row), Vec3::new(along, out, -down));
+        }
+    }
+    cloth
+}
+
+/// The pixels of the upper corners.
+fn corners(cloth: &Cloth<Q13, SIDE, SIDE>, camera: &Camera<Q13>) -> [Point; 2] {
+    [0, SIDE - 1].map(|row| camera.project(cloth.position.at(Node::new(0, row))).unwrap_or_default())
+}
+
+/// A wave of period 256 between −128 and 128, of two parabolas.
+fn wave(phase: u32) -> i32 {
+    let x = (phase & 127) as i32;
+    let arch = x * (128 - x) / 32;
+    if phase & 128 == 0 { arch } else { -arch }
+}

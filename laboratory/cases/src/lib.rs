@@ -1,0 +1,17 @@
+//! The scenes that hosts and boards play alike.
+//!
+//! [`CASES`] are those of the digests: [`METHODS`] play each of them in all [`NUMBERS`], and [`TABLE`] has the digests. [`bench`] has the scenes whose
+//! instructions are counted.
+#![no_std]
+#![forbid(unsafe_code)]
+
+pub mod bench;
+mod cases;
+mod play;
+mod setup;
+mod table;
+
+pub use cases::CASES;
+pub use play::{METHODS, Method, NUMBERS, Number, Outcome};
+pub use setup::{Ball, Drag, Ground, Mass, Rod, SIDE, Setup, Spring, Surface, Wind};
+pub use table::TABLE;

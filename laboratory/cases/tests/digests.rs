@@ -1,0 +1,163 @@
+//! Equal numbers everywhere: one digest for each scene, solver and number type, the same in debug and release builds and on every
+//! target. Only `+ − × ÷` and the correctly rounded root are used, in one order, so this holds for floats too.
+//!
+//! After a change that means to move sheets otherwise, `UPDATE_DIGESTS=1 cargo test -p cases --test digests` writes `src/table.rs` anew, and
+//! still fails. The tests `boards` of the emulator hold boards to the same table.
+
+use std::fmt::Write;
+
+use cases::{
+    Ball, CASES, Drag, Ground, METHODS, Mass, Method, NUMBERS, Number, Outcome, Rod, Setup, Spring, Surface, TABLE,
+    Wind,
+};
+use kerchief::Scalar;
+use kerchief::host::{Description, WindModel, built_in};
+
+fn pairs() -> impl Iterator<Item = (Setup, Method)> {
+    CASES.into_iter().flat_map(|case| METHODS.into_iter().map(move |method| (case, method)))
+}
+
+/// The last digest, and the sheet's whereabouts.
+fn outcome(number: &Number, case: &Setup, method: Method) -> (u32, Outcome) {
+    let mut last = 0;
+    let outcome = (number.play)(case, method, &mut |digest| last = digest);
+    (last, outcome)
+}
+
+#[test]
+fn digests_are_those_of_the_table() {
+    let mut found = Vec::new();
+    for (case, method) in pairs() {
+        let digests: Vec<_> = NUMBERS.iter().map(|number| outcome(number, &case, method).0).collect();
+        found.push((case.name, format!("{method:?}"), digests));
+    }
+    if std::env::var_os("UPDATE_DIGESTS").is_some() {
+        write(&found);
+    }
+    let mut differences = Vec::new();
+    for (scene, solver, digests) in &found {
+        let Some((_, _, expected)) = TABLE.iter().find(|row| (row.0, row.1) == (*scene, solver.as_str())) else {
+            differences.push(format!("{scene} by {solver}: not in the table"));
+            continue;
+        };
+        for ((number, expected), found) in NUMBERS.iter().zip(expected).zip(digests) {
+            if expected != found {
+                let name = number.name;
+                differences.push(format!("{scene} by {solver} in {name}: {found:#010x} instead of {expected:#010x}"));
+            }
+        }
+    }
+    assert!(differences.is_empty(), "sheets moved otherwise:\n{}", differences.join("\n"));
+    assert_eq!(TABLE.len(), found.len(), "the table has a row for each scene and solver, and no other");
+}
+
+/// Writes the table.
+fn write(rows: &[(&str, String, Vec<u32>)]) {
+    let names = NUMBERS.iter().map(|number| number.name).collect::<Vec<_>>().join(", ");
+    let mut text = format!(
+        "//! Digests of the scenes, as `UPDATE_DIGESTS=1 cargo test -p cases --test digests` writes them: nobody reads the number.\n\
+         #![allow(clippy::unreadable_literal)]\n\n\
+         /// Scene, solver, and the digests in {names}.\n\
+         pub const TABLE: &[(&str, &str, [u32; {}])] = &[\n",
+        NUMBERS.len()
+    );
+    for (scene, solver, digests) in rows {
+        let digests = digests.iter().map(|digest| format!("{digest:#010x}")).collect::<Vec<_>>().join(", ");
+        let _ = writeln!(text, "    ({scene:?}, {solver:?}, [{digests}]),");
+    }
+    text += "];\n";
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/table.rs");
+    std::fs::write(path, text).expect("the table can be written");
+}
+
+/// What the table keeps is worth keeping: all number types tell the same story.
+#[test]
+fn number_types_agree() {
+    for (case, method) in pairs() {
+        // cells; what hangs between the curtain's pegs starts on the axis of its rod, and rounding says which way it has to go
+        let bound = if case.name == "curtain" { 0.2 } else { 0.01 };
+        let outcomes: Vec<_> = NUMBERS.iter().map(|number| (number.name, outcome(number, &case, method).1)).collect();
+        let reference = outcomes.iter().find(|(name, _)| *name == f64::NAME).expect("f64 is a number type").1;
+        for (name, outcome) in outcomes {
+            let apart = farthest(outcome.bounds, reference.bounds);
+            assert!(outcome.finite && apart < bound, "{} by {method:?} in {name}: {apart} cells from f64", case.name);
+        }
+    }
+}
+
+/// The largest difference of two boxes, cells.
+fn farthest(a: [[f64; 3]; 2], b: [[f64; 3]; 2]) -> f64 {
+    a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// The scenes that carry a built-in scene's name are that scene on a smaller grid.
+#[test]
+fn scenes_of_the_files_are_the_files() {
+    let mut found = 0;
+    for case in CASES {
+        let Some(file) = built_in(case.name) else { continue };
+        found += 1;
+        let file = Description::parse(file.text).expect("a built-in scene is a scene");
+        assert_eq!(read(&file, &case), case);
+    }
+    assert_eq!(found, kerchief::host::BUILT_IN.len());
+}
+
+/// What a file says in the terms of a [`Setup`]; which particles are pinned depends on the grid and is taken from `case`.
+fn read(file: &Description, case: &Setup) -> Setup {
+    let surface = |surface: kerchief::host::Surface| Surface { margin: surface.margin, friction: surface.friction };
+    let spring = |spring: kerchief::host::Spring| Spring { stiffness: spring.stiffness, damping: spring.damping };
+    let sheet = &file.sheet;
+    assert!(file.spheres.len() <= 1 && file.planes.len() <= 1 && file.capsules.len() <= 1, "one of each");
+    assert_eq!(sheet.pins.is_empty(), case.pins.is_empty(), "{}", case.name);
+    let cells = ((sheet.columns - 1) * (sheet.rows - 1)) as f64;
+    Setup {
+        name: case.name,
+        size: [sheet.width, sheet.height],
+        upright: sheet.pose == kerchief::host::Pose::Hang,
+        origin: sheet.origin,
+        mass: if sheet.shares_area() {
+            // to the digits of the file
+            Mass::PerArea((sheet.mass * cells / (sheet.width * sheet.height) * 1e9).round() / 1e9)
+        } else {
+            Mass::PerParticle(sheet.mass)
+        },
+        hem: sheet.hem,
+        pins: case.pins,
+        hand: None,
+        stretch: file.stretch.map(spring).expect("a sheet"),
+        shear: file.shear.map(spring),
+        bend: file.bend.map(spring),
+        limit: file.solver.strain_limit,
+        tether: file.tether_slack,
+        gravity: file.gravity,
+        drag: file.drag.map(|drag| match drag.key {
+            "drag" => Drag::Rate(drag.rate),
+            _ => Drag::Verlet((-(-drag.rate * file.solver.step).exp_m1() * 1e9).round() / 1e9),
+        }),
+        wind: file.wind.map(|wind| match wind.model {
+            WindModel::Facet => Wind::Facet(wind.velocity),
+            WindModel::Aerodynamic { density, drag_coefficient } => {
+                assert_eq!([density, drag_coefficient], [1.2; 2], "{}", case.name);
+                Wind::Aerodynamic(wind.velocity)
+            }
+        }),
+        ball: file.spheres.first().map(|ball| Ball {
+            centre: ball.centre,
+            radius: ball.radius,
+            velocity: ball.velocity,
+            surface: surface(ball.surface),
+        }),
+        rod: file.capsules.first().map(|rod| Rod {
+            ends: [rod.a, rod.b],
+            radius: rod.radius,
+            surface: surface(rod.surface),
+        }),
+        ground: file.planes.first().map(|plane| Ground {
+            point: plane.point,
+            normal: plane.normal,
+            surface: surface(plane.surface),
+        }),
+        frame: file.solver.step,
+    }
+}

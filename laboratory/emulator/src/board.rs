@@ -1,0 +1,8 @@
+//! The boards that show something.
+
+pub mod feather;
+pub mod microbit;
+pub mod oled;
+pub mod pico;
+mod rp2040;
+pub mod ssd1306;

@@ -1,0 +1,58 @@
+//! A board with an STM32F405.
+
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
+
+use crate::{Firmware, Result};
+
+/// The program.
+pub const FIRMWARE: Firmware<'static> = Firmware::board("boards/feather", "feather", &["thumbv7em-none-eabihf"]);
+const MACHINE: &str = "netduinoplus2";
+/// After this without a line the program hangs.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// Runs the program, passes every line that comes over the serial port to `line`, and ends after the last.
+///
+/// # Errors
+///
+/// Where the program ends otherwise or hangs.
+pub fn run(program: &Path, mut line: impl FnMut(&str)) -> Result<()> {
+    let mut board = Running(
+        Command::new("qemu-system-arm")
+            .args(["-M", MACHINE, "-display", "none", "-monitor", "none", "-serial", "stdio", "-icount", "shift=0"])
+            .args(["-semihosting-config", "enable=on,target=native", "-kernel"])
+            .arg(program)
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .spawn()
+            .map_err(|error| format!("qemu-system-arm: {error}"))?,
+    );
+    let output = board.0.stdout.take().ok_or("no output")?;
+    let (send, lines) = mpsc::channel();
+    thread::spawn(move || {
+        BufReader::new(output).lines().map_while(std::result::Result::ok).try_for_each(|line| send.send(line))
+    });
+    loop {
+        match lines.recv_timeout(PATIENCE).as_deref().map(str::trim_end) {
+            Ok("end") => return Ok(()),
+            Ok(text) => line(text),
+            Err(RecvTimeoutError::Timeout) => return Err("the program hangs".into()),
+            Err(RecvTimeoutError::Disconnected) => return Err("the program failed".into()),
+        }
+    }
+}
+
+/// A process that ends with its owner.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // it may have ended
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}

@@ -1,0 +1,152 @@
+// Runs a program on an emulated Raspberry Pi Pico with an LCD, from one picture to the next.
+//
+// node pico.mjs PACKAGE FLASH ORDERS: the folder of rp2040js, the flash's contents, and a JSON file
+// { stop, failed, log, stack: [end, start], until, shots: [picture, …], presses: [[picture, down], …] } with addresses of the program, the last step (null: all until a
+// second passes without a picture) and numbers of pictures.
+// Says "step n" on the standard error output after every picture, and prints JSON at the end:
+// { steps, shots: [[pixel, …], …], log: [byte, …], stack: [byte, …], on, idle, errors }: idle is how many bytes went to the display in that second.
+import { readFile } from 'node:fs/promises';
+import { argv, stderr, stdout } from 'node:process';
+import { load } from './rp2040.mjs';
+
+const [, , emulator, flashFile, ordersFile] = argv;
+const orders = JSON.parse(await readFile(ordersFile, 'utf8'));
+
+const [DATA, SELECT, RESET, BUTTON] = [16, 17, 20, 15];
+const SIDE = 240;
+
+const errors = [];
+const wrong = (what) => { if (errors.length < 20) errors.push(what); };
+
+// An ST7789: its commands, its window and its memory.
+class Lcd {
+    memory = new Uint16Array(SIDE * SIDE);
+    window = { left: 0, right: SIDE - 1, top: 0, bottom: SIDE - 1 };
+    command = null;
+    parameters = [];
+    awake = false;
+    on = false;
+    format = null;
+    half = null;
+    x = 0;
+    y = 0;
+    left = 0;
+
+    byte(value, isData) {
+        if (isData) this.data(value); else if (value !== 0) this.start(value);
+    }
+
+    // Parameters that a command has, at most.
+    static LENGTHS = { 0x01: 0, 0x11: 0, 0x13: 0, 0x20: 0, 0x21: 0, 0x29: 0, 0x2a: 4, 0x2b: 4, 0x2c: Infinity, 0x33: 6, 0x36: 1, 0x3a: 1 };
+
+    start(command) {
+        this.finish();
+        if (!(command in Lcd.LENGTHS)) wrong(`unknown command ${command.toString(16)}`);
+        this.command = command;
+        this.parameters = [];
+        if (command === 0x11) this.awake = true;
+        if (command === 0x29) this.on = true;
+        if (command === 0x2c) {
+            if (!this.awake || this.format !== 0x55) wrong('pixels for a display that sleeps or has another format');
+            const { left, right, top, bottom } = this.window;
+            [this.x, this.y, this.left] = [left, top, (right - left + 1) * (bottom - top + 1)];
+        }
+    }
+
+    // A command ends where the next one begins.
+    finish() {
+        if (this.command === 0x2c && (this.left !== 0 || this.half !== null)) wrong(`${this.left} pixels of a window are missing`);
+        if ((this.command === 0x2a || this.command === 0x2b) && this.parameters.length !== 4) wrong('a window of less than four bytes');
+        this.half = null;
+    }
+
+    data(value) {
+        if (this.command === null) return wrong('data before a command');
+        if (this.command === 0x2c) return this.pixel(value);
+        this.parameters.push(value);
+        const { length } = this.parameters;
+        if (length > Lcd.LENGTHS[this.command]) wrong(`too much for command ${this.command.toString(16)}`);
+        if (this.command === 0x3a) this.format = value;
+        if (length === 4 && (this.command === 0x2a || this.command === 0x2b)) {
+            const [a, b, c, d] = this.parameters;
+            const [from, to] = [a << 8 | b, c << 8 | d];
+            if (from > to || to >= SIDE) wrong(`a window from ${from} to ${to}`);
+            if (this.command === 0x2a) [this.window.left, this.window.right] = [from, to];
+            else [this.window.top, this.window.bottom] = [from, to];
+        }
+    }
+
+    pixel(value) {
+        if (this.half === null) { this.half = value; return; }
+        if (this.left === 0) wrong('more pixels than the window has');
+        else {
+            this.memory[this.y * SIDE + this.x] = this.half << 8 | value;
+            this.left -= 1;
+            this.x += 1;
+            if (this.x > this.window.right) [this.x, this.y] = [this.window.left, this.y + 1];
+        }
+        this.half = null;
+    }
+}
+
+const { chip, advance, RAM, GPIOPinState } = await load(emulator, flashFile, wrong);
+const { core, clock } = chip;
+chip.gpio[BUTTON].setInputValue(true);
+
+const lcd = new Lcd();
+const spi = chip.spi[0];
+// a frame takes its time on the wires
+const arrived = clock.createAlarm(() => spi.completeTransmit(0));
+let bytes = 0;
+spi.onTransmit = (value) => {
+    bytes += spi.dataBits / 8;
+    if (chip.gpio[SELECT].value === GPIOPinState.Low && chip.gpio[RESET].value === GPIOPinState.High) {
+        const isData = chip.gpio[DATA].value === GPIOPinState.High;
+        if (spi.dataBits === 16) lcd.byte(value >> 8, isData);
+        lcd.byte(value & 0xff, isData);
+    } else wrong('a byte for a display that does not listen');
+    arrived.schedule(spi.dataBits * 1e9 / spi.clockFrequency);
+};
+
+// Takes what is in the log's buffer, as a probe does.
+const log = [];
+function drain() {
+    const channel = orders.log - RAM + 24;
+    const word = (at) => chip.sramView.getUint32(at, true);
+    const [buffer, size, written] = [4, 8, 12].map((offset) => word(channel + offset));
+    for (let read = word(channel + 16); size !== 0 && read !== written; read = (read + 1) % size) log.push(chip.sram[buffer - RAM + read]);
+    chip.sramView.setUint32(channel + 16, written, true);
+}
+
+const PATIENCE = 1e9;
+let [shown, idle] = [0, null];
+const steps = [];
+const shots = [];
+while (errors.length < 20) {
+    const at = core.PC;
+    if (at === orders.stop) {
+        // an interrupt comes back to the same place
+        if (steps.at(-1) === core.registers[0]) { advance(); continue; }
+        steps.push(core.registers[0]);
+        stderr.write(`step ${steps.at(-1)}\n`);
+        [shown, bytes] = [clock.nanos, 0];
+        drain();
+        const last = orders.until !== null && steps.at(-1) >= orders.until;
+        if (last || orders.shots.includes(steps.length)) shots.push(Array.from(lcd.memory));
+        if (last) break;
+        for (const [picture, down] of orders.presses) if (picture === steps.length) chip.gpio[BUTTON].setInputValue(!down);
+    } else if (steps.length > 0 && clock.nanos - shown > PATIENCE) {
+        if (orders.until !== null) wrong('no picture for a second');
+        drain();
+        idle = bytes;
+        shots.push(Array.from(lcd.memory));
+        break;
+    } else if (at === orders.failed) {
+        drain();
+        wrong('the program failed');
+        break;
+    }
+    advance();
+}
+const [end, start] = orders.stack.map((address) => address - RAM);
+stdout.write(JSON.stringify({ steps, shots, log, stack: Array.from(chip.sram.subarray(end, start)), on: lcd.on, idle, errors }));

@@ -1,0 +1,221 @@
+//! The pages that show the figures.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::PathBuf;
+
+use cases::bench::{LINES, SIDE, SWEEPS};
+
+use crate::figures::{Figure, PROCESSORS};
+use crate::measure::strains;
+
+const PAGE: &str = "docs/instructions.md";
+const README: &str = "README.md";
+/// Around the README's table.
+const MARKS: [&str; 2] = ["<!-- figures of boards -->\n", "<!-- end of figures -->\n"];
+
+const PARTICLES: u64 = (SIDE * SIDE) as u64;
+const STRETCH_LINKS: u64 = (2 * SIDE * (SIDE - 1)) as u64;
+const BEND_LINKS: u64 = (2 * SIDE * (SIDE - 2)) as u64;
+/// Two in every cell, as triangles are.
+const DIAGONALS: u64 = (2 * (SIDE - 1) * (SIDE - 1)) as u64;
+
+/// A kernel: what it is, the scene with it, the scene without, and how often a substep runs it.
+const KERNELS: [(&str, &str, Option<&str>, u64); 13] = [
+    ("stretch link, XPBD sweep", "stretch", Some("bare"), STRETCH_LINKS),
+    ("stretch link, Verlet sweep", "verlet, stretch", Some("verlet, bare"), STRETCH_LINKS),
+    ("shear link, XPBD sweep", "shear", Some("bare"), DIAGONALS),
+    ("bend link, XPBD sweep", "bend", Some("bare"), BEND_LINKS),
+    ("damper of a link", "damped stretch", Some("stretch"), STRETCH_LINKS),
+    ("limit of a link, not reached", "limited stretch", Some("stretch"), STRETCH_LINKS),
+    ("tether of a particle, slack", "tethers", Some("bare"), 2 * PARTICLES),
+    ("integration of a particle", "bare", None, PARTICLES),
+    ("drag of a particle", "drag", Some("bare"), PARTICLES),
+    ("facet wind on a triangle", "facet wind", Some("bare"), DIAGONALS),
+    ("aerodynamic wind on a triangle", "aerodynamic wind", Some("bare"), DIAGONALS),
+    ("sphere, no contact, a particle", "sphere", Some("bare"), PARTICLES),
+    ("capsule, no contact, a particle", "capsule", Some("bare"), PARTICLES),
+];
+
+/// A frame: its scene and what it consists of.
+const FRAMES: [(&str, &str); 7] = [
+    ("xpbd", "XPBD, 8 substeps of stretch and shear"),
+    ("xpbd, at rest", "the same, at rest (`Resting`)"),
+    ("verlet", "position Verlet, 8 sweeps of stretch and shear"),
+    ("lines", "line solver, stretch and shear, strain under 1 %"),
+    ("damped lines", "the same with dampers in all links"),
+    ("leapfrog", "leapfrog, 32 substeps of stretch and shear"),
+    ("backward Euler", "backward Euler, a Newton step of stretch and shear"),
+];
+
+/// What a scene may name, and the scene that has it.
+const PARTS: [(&str, &str, &str); 14] = [
+    ("nothing: `()` in every place", "unnamed", "bare"),
+    ("stretch", "stretch", "bare"),
+    ("shear", "shear", "bare"),
+    ("bend", "bend", "bare"),
+    ("damping of stretch", "damped stretch", "stretch"),
+    ("limit of stretch", "limited stretch", "stretch"),
+    ("tethers to two pins", "tethers", "bare"),
+    ("drag", "drag", "bare"),
+    ("facet wind", "facet wind", "bare"),
+    ("aerodynamic wind", "aerodynamic wind", "bare"),
+    ("sphere", "sphere", "bare"),
+    ("plane", "plane", "bare"),
+    ("capsule", "capsule", "bare"),
+    ("rest, in motion", "xpbd, resting", "xpbd"),
+];
+
+fn path(page: &str) -> PathBuf {
+    emulator::root().join(page)
+}
+
+pub(crate) fn write(figures: &[Figure]) {
+    fs::write(path(PAGE), page(figures)).expect("docs/instructions.md can be written");
+    fs::write(path(README), readme(figures)).expect("README.md can be written");
+}
+
+/// Holds the pages to the committed figures.
+pub(crate) fn check(figures: &[Figure]) {
+    for (path, expected) in [(PAGE, page(figures)), (README, readme(figures))] {
+        let found = fs::read_to_string(self::path(path)).expect("a page can be read");
+        assert!(found == expected, "{path} doesn't show docs/instructions.csv");
+    }
+}
+
+struct Figures<'a>(&'a [Figure]);
+
+impl<'a> Figures<'a> {
+    fn numbers(&self) -> Vec<&'a str> {
+        let mut numbers: Vec<_> = self.0.iter().map(|figure| figure.number.as_str()).collect();
+        numbers.dedup();
+        numbers
+    }
+
+    fn get(&self, number: &str, scene: &str) -> &'a Figure {
+        let found = self.0.iter().find(|figure| (figure.number.as_str(), figure.scene.as_str()) == (number, scene));
+        found.unwrap_or_else(|| panic!("no figure of {scene} in {number}"))
+    }
+
+    /// By how much a scene costs more than another, for each processor.
+    fn more(&self, number: &str, scene: &str, than: Option<&str>) -> [i64; 3] {
+        let with = self.get(number, scene).instructions();
+        let without = than.map_or([0; 3], |than| self.get(number, than).instructions());
+        std::array::from_fn(|processor| with[processor] as i64 - without[processor] as i64)
+    }
+
+    /// Instructions of one run of a kernel, for each processor.
+    fn kernel(&self, number: &str, (_, scene, than, runs): (&str, &str, Option<&str>, u64)) -> [String; 3] {
+        // the bare scene of Verlet has one substep, its sweeps are as many as XPBD's substeps
+        let runs = runs * u64::from(SWEEPS);
+        self.more(number, scene, than).map(|more| format!("{:.0}", more as f64 / runs as f64))
+    }
+}
+
+fn page(figures: &[Figure]) -> String {
+    let figures = Figures(figures);
+    let mut text = format!(
+        "# What it costs on a board\n\n\
+         Executed instructions, loads and stores included, averaged over a sheet of {SIDE} × {SIDE} particles that hangs from two corners. Counted by \
+         `SysTick` in QEMU, where every instruction takes a nanosecond; compiled by Rust {}.0 with the profile `release` of `laboratory/firmware`. A scene's numbers \
+         are not known to the compiler. [`instructions.csv`](instructions.csv) has the counts themselves.\n\n\
+         `cargo test -p emulator --test boards -- --include-ignored` measures all of it and fails where anything is off by more than 3 %; with `UPDATE_INSTRUCTIONS=1` it writes this page.\n",
+        env!("CARGO_PKG_RUST_VERSION")
+    );
+    text += "\n## Kernels\n\nInstructions of one run.\n\n";
+    text += &head(&["", "number"], &PROCESSORS);
+    for kernel in KERNELS {
+        for number in figures.numbers() {
+            text += &row(&[kernel.0, number], &figures.kernel(number, kernel));
+        }
+    }
+    text += "\n## Frames\n\nThousands of instructions.\n\n";
+    text += &head(&["", "number"], &PROCESSORS);
+    for (scene, name) in FRAMES {
+        for number in figures.numbers() {
+            text += &row(&[name, number], &thousands(figures.get(number, scene)));
+        }
+    }
+    let strains = strains();
+    assert!(strains.values().all(|strain| *strain <= 0.01), "the line solver's strain: {strains:?}");
+    let strains: Vec<_> =
+        strains.iter().map(|(number, strain)| format!("{:.2} % in {number}", 100.0 * strain)).collect();
+    let _ = write!(
+        text,
+        "\nThe line solver has {} to a frame of a sixtieth of a second and sweeps at least {}, until no row is strained by more than \
+         {} %: this is the mean of the first second, in which the largest strain of a stretch link at the end of a frame is {}.\n",
+        if LINES.1 == 1 { "one substep".to_owned() } else { format!("{} substeps", LINES.1) },
+        if LINES.0.sweeps == 1 { "once".to_owned() } else { format!("{} times", LINES.0.sweeps) },
+        100.0 * LINES.0.tolerance,
+        strains.join(", ")
+    );
+    text += "\n## What the parts of a scene add\n\nBytes of flash (Cortex-M0) and thousands of instructions of a frame of 8 substeps. What a scene \
+             doesn't name costs nothing. (Less than nothing is flash that the compiler spends on unrolling a loop that is short \
+             without the part.)\n\n";
+    text += &head(&["named", "number"], &["flash", PROCESSORS[0], PROCESSORS[1], PROCESSORS[2]]);
+    for (name, scene, than) in PARTS {
+        for number in figures.numbers() {
+            let flash = figures.get(number, scene).flash as i64 - figures.get(number, than).flash as i64;
+            let more = figures.more(number, scene, Some(than));
+            let [m0, m3, m4f] = more.map(|more| format!("{:.1}", (more as f64 / 100.0).round() / 10.0 + 0.0));
+            text += &row(&[name, number], &[flash.to_string(), m0, m3, m4f]);
+        }
+    }
+    text += "\n## Memory\n\nBytes of RAM a particle, the stack apart, and bytes of flash (Cortex-M0) of a program that moves the sheet and does nothing \
+             else.\n\n";
+    text += &head(&["stretch and shear, by", "number"], &["cloth", "solver's memory", "flash"]);
+    for (scene, name) in [("xpbd", "XPBD"), ("verlet", "position Verlet"), ("lines", "line solver")] {
+        for number in figures.numbers() {
+            let figure = figures.get(number, scene);
+            let bytes = [figure.cloth, figure.memory].map(|bytes| format!("{:.0}", bytes as f64 / PARTICLES as f64));
+            let [cloth, memory] = bytes;
+            text += &row(&[name, number], &[cloth, memory, figure.flash.to_string()]);
+        }
+    }
+    text += "\n## What a step calls\n\nNo step in fixed point, as far as it can be followed through the linked program for the Cortex-M0, reaches a routine that \
+             divides or multiplies, or a panic; the program links no routine for floats and no allocator. The test looks at every scene of this page.\n";
+    text
+}
+
+/// The README with its table.
+fn readme(figures: &[Figure]) -> String {
+    let figures = Figures(figures);
+    let readme = fs::read_to_string(path(README)).expect("README.md can be read");
+    let (before, rest) = readme.split_once(MARKS[0]).expect("README.md has a place for figures");
+    let (_, after) = rest.split_once(MARKS[1]).expect("the place for figures ends");
+    let mut table = head(&["16 × 16 particles", "number"], &PROCESSORS);
+    for number in figures.numbers() {
+        table += &row(&["instructions of a link (XPBD)", number], &figures.kernel(number, KERNELS[0]));
+    }
+    for (scene, name) in [FRAMES[0], FRAMES[1], FRAMES[3]] {
+        for number in figures.numbers() {
+            table += &row(&[&format!("thousands for a frame: {name}"), number], &thousands(figures.get(number, scene)));
+        }
+    }
+    let memory = |scene: &str| {
+        let all: Vec<_> = figures.numbers().into_iter().map(|number| figures.get(number, scene)).collect();
+        let [least, most] = [all.iter().map(|f| f.flash).min(), all.iter().map(|f| f.flash).max()];
+        let [least, most] = [least, most].map(|bytes| bytes.unwrap_or_default() as f64 / 1024.0);
+        let ram = all.iter().map(|f| f.cloth + f.memory).max().unwrap_or_default();
+        format!("{least:.0} to {most:.0} KB of flash and {:.1} KB of RAM", ram as f64 / 1024.0)
+    };
+    let [xpbd, lines] = ["xpbd", "lines"].map(memory);
+    format!(
+        "{before}{}{table}\nA program that moves such a sheet takes {xpbd} with XPBD, {lines} with the line solver.\n{}{after}",
+        MARKS[0], MARKS[1]
+    )
+}
+
+fn thousands(figure: &Figure) -> [String; 3] {
+    // at rest they are few
+    figure.instructions().map(|count| format!("{:.*}", if count < 10_000 { 2 } else { 0 }, count as f64 / 1e3))
+}
+
+fn head(left: &[&str], right: &[&str]) -> String {
+    let rule = "---|".repeat(left.len()) + &"---:|".repeat(right.len());
+    format!("| {} | {} |\n|{rule}\n", left.join(" | "), right.join(" | "))
+}
+
+fn row(left: &[&str], right: &[String]) -> String {
+    format!("| {} | {} |\n", left.join(" | "), right.join(" | "))
+}

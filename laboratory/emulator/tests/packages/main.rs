@@ -1,0 +1,76 @@
+//! Packages for boards are complete: what is copied out of the repository builds with nothing but a version of the crate.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use emulator::board::{feather, microbit, oled, pico};
+use emulator::{Firmware, footprint, root, target};
+
+/// A board of each target, and the demo board.
+const BOARDS: [Firmware<'static>; 4] = [microbit::FIRMWARE, oled::FIRMWARE, feather::FIRMWARE, pico::FIRMWARE];
+
+#[test]
+fn a_copy_of_a_board_builds_anywhere() {
+    for board in BOARDS {
+        let room = tempfile::tempdir().unwrap();
+        let copy = room.path().join("copy");
+        copy_folder(&root().join(board.package), &copy);
+        if !copy.join("memory.x").exists() {
+            // the demo board, whose user copies two files more
+            for file in ["memory.x", "Cargo.lock"] {
+                fs::copy(root().join(file), copy.join(file)).unwrap();
+            }
+        }
+        let found = footprint::of(&build(&copy, &board)).unwrap();
+        let expected = footprint::of(&board.build().unwrap()[board.targets[0]]).unwrap();
+        assert_eq!(found, expected, "{}: bytes of flash and RAM of the copy and of the original", board.package);
+    }
+}
+
+/// What a user types in the copy, and the version of the crate.
+fn build(copy: &Path, board: &Firmware<'_>) -> PathBuf {
+    let patch = format!("patch.crates-io.kerchief.path={:?}", root().display().to_string());
+    let mut cargo = Command::new("rustup");
+    cargo.args(["run", emulator::TOOLCHAIN, "cargo", "build", "--release", "--config", &patch]);
+    // only so that the test is quicker
+    cargo.arg("--target-dir").arg(target());
+    for variable in ["CARGO", "RUSTC", "RUSTDOC", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS"] {
+        cargo.env_remove(variable);
+    }
+    let output = cargo.current_dir(copy).output().unwrap();
+    assert!(output.status.success(), "{}:\n{}", board.package, String::from_utf8_lossy(&output.stderr));
+    let program = target().join(board.targets[0]).join("release").join(board.program);
+    let kept = copy.join("program");
+    fs::copy(program, &kept).unwrap();
+    kept
+}
+
+fn copy_folder(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let copy = to.join(entry.file_name());
+        if entry.file_type().unwrap().is_dir() {
+            copy_folder(&entry.path(), &copy);
+        } else {
+            fs::copy(entry.path(), copy).unwrap();
+        }
+    }
+}
+
+/// A package that can be copied has what it needs; what several need is the same in all of them.
+#[test]
+fn what_packages_have_in_common_is_the_same() {
+    let copies = [
+        ["examples/pico/src/breeze.rs", "boards/microbit/src/breeze.rs"],
+        ["examples/pico/src/clock.rs", "boards/oled/src/clock.rs"],
+        ["examples/pico/src/meter.rs", "boards/oled/src/meter.rs"],
+        ["examples/pico/src/pace.rs", "boards/oled/src/pace.rs"],
+        ["laboratory/firmware/src/clock.rs", "boards/feather/src/clock.rs"],
+    ];
+    for files in copies {
+        let [first, second] = files.map(|file| fs::read_to_string(root().join(file)).unwrap());
+        assert!(first == second, "{files:?} differ");
+    }
+}
