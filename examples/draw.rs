@@ -4,7 +4,7 @@ use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use kerchief::material::{DENIM, Springs};
 use kerchief::render::{Camera, Ground, Light, Look, Shaded, Shadow, View, pattern::CELL, pattern::Stripes};
-use kerchief::*;
+use kerchief::{Cloth, Drag, Gravity, Lines, Node, Scene, Shear, Stretch, Units};
 
 const SIDE: usize = 24;
 const UNITS: Units = DENIM.units([SIDE, SIDE], [0.6, 0.6], 1.0 / 60.0, 8); // particles, m, s, substeps

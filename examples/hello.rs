@@ -1,6 +1,6 @@
 //! A kerchief falls between two pins, drawn in the terminal with letters: `cargo run --example hello`.
 
-use kerchief::*;
+use kerchief::{Cloth, Gravity, Lines, Node, Q24, Scene, Shear, Stretch, Units};
 
 const SIDE: usize = 16;
 const UNITS: Units = Units::sheet([SIDE, SIDE], [0.3, 0.3], 1e-4, 1.0 / 60.0, 8); // particles, m, kg, s, substeps

@@ -33,7 +33,10 @@ impl Offset {
             in_colours(self.across, W, |column, right| {
                 for diagonal in 0..diagonals {
                     let (a, b) = if diagonal == 0 { (column, right) } else { (right, column) };
-                    visit(Node { column: a, row }, Node { column: b, row: below });
+                    // so that a compiler sees it after the choice, too
+                    if a < W && b < W {
+                        visit(Node { column: a, row }, Node { column: b, row: below });
+                    }
                 }
             });
         });

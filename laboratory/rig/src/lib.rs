@@ -4,6 +4,7 @@
 //! runs through [`Method`]s in a loop. States come back in SI units, as the reference has them.
 #![allow(
     missing_docs,
+    missing_debug_implementations,
     clippy::missing_errors_doc,
     clippy::missing_panics_doc,
     reason = "not published: names and signatures say it"

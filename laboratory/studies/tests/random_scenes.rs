@@ -127,7 +127,7 @@ struct Seen {
 
 /// Some frames of it; nothing where the number type does not hold the scene.
 fn played(scene: &Description, scalar: ScalarKind) -> Option<Seen> {
-    let mut simulation = match simulation(&scene, scalar) {
+    let mut simulation = match simulation(scene, scalar) {
         Ok(simulation) => simulation,
         Err(error) => {
             assert!(!error.to_string().contains('\n') && !error.key.is_empty(), "{error}");

@@ -25,7 +25,7 @@ fn scene(name: &str) -> Description {
 }
 
 fn course(scene: &Description) -> Course {
-    let mut moving = simulation(&scene, ScalarKind::F32).unwrap();
+    let mut moving = simulation(scene, ScalarKind::F32).unwrap();
     let (mut strain, mut speed, mut at_rest) = (0.0_f64, 0.0_f64, 0);
     for frame in 0..scene.frames {
         let rests = moving.is_at_rest();

@@ -41,6 +41,7 @@ impl Family {
         Self { offsets, stiffness, damping: 0.0 }
     }
 
+    #[must_use]
     pub fn damped(self, damping: f64) -> Self {
         Self { damping, ..self }
     }

@@ -34,17 +34,20 @@ impl Sheet {
         Self { columns, rows, width, height, origin: [0.0; 3], pose, masses, pins: Vec::new() }
     }
 
+    #[must_use]
     pub fn with_origin(self, origin: Vector) -> Self {
         Self { origin, ..self }
     }
 
     /// The same mass for each particle, kg.
+    #[must_use]
     pub fn with_mass(mut self, mass: f64) -> Self {
         self.masses.fill(mass);
         self
     }
 
     /// Mass from an area density, kg/m²: each cell gives a quarter of its mass to each of its corners.
+    #[must_use]
     pub fn with_density(mut self, density: f64) -> Self {
         assert!(self.columns > 1 && self.rows > 1, "a chain has no area");
         let [width, height] = self.cell();
@@ -58,6 +61,7 @@ impl Sheet {
     }
 
     /// Border particles are `factor` times as heavy as they were.
+    #[must_use]
     pub fn with_hem(mut self, factor: f64) -> Self {
         for row in 0..self.rows {
             for column in 0..self.columns {
@@ -69,18 +73,21 @@ impl Sheet {
         self
     }
 
+    #[must_use]
     pub fn with_pins(mut self, pins: &[(usize, usize)]) -> Self {
         self.pins.extend_from_slice(pins);
         self
     }
 
     /// Holds row 0.
+    #[must_use]
     pub fn with_top_pinned(mut self) -> Self {
         self.pins.extend((0..self.columns).map(|column| (column, 0)));
         self
     }
 
     /// Holds column 0.
+    #[must_use]
     pub fn with_left_pinned(mut self) -> Self {
         self.pins.extend((0..self.rows).map(|row| (0, row)));
         self

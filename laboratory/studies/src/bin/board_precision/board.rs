@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use emulator::{Firmware, Programs};
 use emulator::machine::{M0, M3, M4F, Machine};
+use emulator::{Firmware, Programs};
 use instances::simulation;
 use kerchief::host::{Description, ScalarKind};
 use rayon::prelude::*;
