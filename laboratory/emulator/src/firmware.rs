@@ -88,7 +88,7 @@ impl<'a> Firmware<'a> {
             };
         }
         // what this program's own cargo says of itself is not for that one
-        for variable in ["CARGO", "RUSTC", "RUSTDOC", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS"] {
+        for variable in ["CARGO", "RUSTC", "RUSTDOC", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "RUSTC_BOOTSTRAP"] {
             cargo.env_remove(variable);
         }
         cargo.current_dir(root().join(self.package)).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());

@@ -46,6 +46,7 @@ fn program() -> Command {
         escargot::CargoBuild::new()
             .manifest_path(concat!(env!("CARGO_MANIFEST_DIR"), "/../instances/Cargo.toml"))
             .example("simulate")
+            .env_remove("RUSTC_BOOTSTRAP")
             .current_release()
     };
     Command::new(PATH.get_or_init(|| build().run().expect("the example builds").path().to_path_buf()))

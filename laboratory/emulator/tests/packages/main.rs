@@ -35,7 +35,7 @@ fn build(copy: &Path, board: &Firmware<'_>) -> PathBuf {
     cargo.args(["run", emulator::TOOLCHAIN, "cargo", "build", "--release", "--config", &patch]);
     // only so that the test is quicker
     cargo.arg("--target-dir").arg(target());
-    for variable in ["CARGO", "RUSTC", "RUSTDOC", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS"] {
+    for variable in ["CARGO", "RUSTC", "RUSTDOC", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "RUSTC_BOOTSTRAP"] {
         cargo.env_remove(variable);
     }
     let output = cargo.current_dir(copy).output().unwrap();
