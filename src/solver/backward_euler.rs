@@ -60,7 +60,7 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
     ) {
         let shift = moment.shift;
         let inertia = S::ONE + physics.forces.drag().rate;
-        let slowed = inertia.recip();
+        let slowed = S::ONE.divide(inertia);
         predict::predict(
             physics.forces,
             particles,

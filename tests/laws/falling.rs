@@ -1,6 +1,6 @@
 //! Momentum, free fall, rest, energy.
 
-use kerchief::{Leapfrog, Q24, Scalar, measure};
+use kerchief::{Leapfrog, Q13, Q24, Scalar, measure};
 
 use rig::reference::{Model, Pose, Sheet};
 use rig::scenes::{GRAVITY, corners, springs};
@@ -63,6 +63,35 @@ fn a_free_sheet_falls_as_galileo_says() {
     check::<f32>(3e-6);
     // measured 5e-6: a substep's gain is rounded to 3e-8 cells per tick, 120 times over
     check::<Q24>(6e-6);
+}
+
+/// A factor that is a little less than 1 where nothing slows a sheet would count the more, the finer the steps are.
+#[test]
+fn finer_steps_fall_no_less_far() {
+    fn check<S: Scalar>(bound: f64) {
+        let model = free(GRAVITY);
+        let (frame, frames) = (1.0 / 60.0, 36);
+        let t = frame * f64::from(frames);
+        for substeps in [8, 32, 128, 512] {
+            for method in ALL {
+                let mut motion = moved::<S, 8, 8>(&model, Pace::new(frame, substeps), method);
+                motion.run(frames);
+                let late = match method {
+                    Method::ForwardEuler => -0.5,
+                    Method::Leapfrog | Method::Lines(_) => 0.0,
+                    _ => 0.5,
+                };
+                let expected = GRAVITY[2] * (0.5 * t * t + late * frame / f64::from(substeps) * t);
+                let error = (motion.state().position[0][2] - expected).abs();
+                assert!(error < bound, "{method:?} in {}, {substeps} substeps: off by {error:e} m", S::NAME);
+            }
+        }
+    }
+    check::<f64>(2e-12);
+    // what gravity adds to a velocity in a substep has the fewer digits, the shorter that is
+    check::<f32>(2e-4);
+    check::<Q24>(2e-4);
+    check::<Q13>(2e-4);
 }
 
 #[test]

@@ -17,7 +17,7 @@ pub(super) fn first_order<S: Scalar, F: Force<S>, const W: usize, const H: usize
     moment: Moment,
 ) {
     memory.earlier = particles.velocity;
-    let slowed = (S::ONE + forces.drag().rate).recip();
+    let slowed = S::ONE.divide(S::ONE + forces.drag().rate);
     predict::predict(
         forces,
         particles,
@@ -41,7 +41,7 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
     let two_thirds = third + third;
     let rule = Rule { third, two_thirds, sixth: third.halve(1), moment };
     let drag = forces.drag().rate;
-    let slowed = (S::ONE + two_thirds * drag).recip();
+    let slowed = S::ONE.divide(S::ONE + two_thirds * drag);
     let (is_field, uniform) = (forces.is_field(), forces.uniform());
     let start = memory.history == History::None;
     let mut gain = Vec3::row(Vec3::ZERO);
