@@ -2,11 +2,13 @@
 //!
 //! * [`Firmware`] is a program of a package in this repository; [`Firmware::build`] builds it.
 //! * [`Machine`](machine::Machine) runs a program that prints and ends, on any Cortex-M or in WebAssembly.
+//! * [`Counter`](counter::Counter) counts the instructions of a part of a run.
 //! * [`board`] has the boards that show something: their programs, and what is seen of them while they run.
 //! * [`Qemu`](qemu::Qemu) runs a board from one picture to the next; [`Program`](program::Program) and [`footprint`](footprint::footprint) look into programs.
 #![allow(clippy::missing_errors_doc, reason = "what fails says what cargo, the emulator or the program did wrong")]
 
 pub mod board;
+pub mod counter;
 pub mod film;
 mod firmware;
 pub mod footprint;

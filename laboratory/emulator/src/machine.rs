@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::Result;
+use crate::counter::Counter;
 
 /// A machine, and the target that is its own.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +43,8 @@ pub const WASM: Machine = Machine { name: "WebAssembly", target: "wasm32-wasip1"
 /// Every machine.
 pub const ALL: [Machine; 7] = [M0, M3, M4, M4F, M7, M33, WASM];
 
+/// An instruction takes a nanosecond.
+const COUNTED: [&str; 2] = ["-icount", "shift=0"];
 /// After this it hangs, s.
 const PATIENCE: &str = "600";
 
@@ -61,7 +64,21 @@ impl Machine {
     ///
     /// How else it ended.
     pub fn run_counted(&self, program: &Path) -> Result<String> {
-        self.run_with(program, &["-icount", "shift=0"])
+        self.run_with(program, &COUNTED)
+    }
+
+    /// The same, and the instructions between every two marks as another counter counts them.
+    ///
+    /// # Errors
+    ///
+    /// How else it ended.
+    pub fn run_marked(&self, program: &Path, counter: &Counter) -> Result<(String, Vec<u64>)> {
+        let mut printed = String::new();
+        let counts = counter.between_marks(program, |options| {
+            printed = self.run_with(program, &[&COUNTED, options].concat())?;
+            Ok(())
+        })?;
+        Ok((printed, counts))
     }
 
     fn run_with(&self, program: &Path, options: &[&str]) -> Result<String> {

@@ -16,7 +16,8 @@ pub const PAINT: u32 = 0xcccc_cccc;
 #[derive(Debug)]
 pub struct Program {
     symbols: Vec<(String, u32)>,
-    table: Table,
+    /// What a log consists of, where there is one.
+    table: Option<Table>,
 }
 
 impl Program {
@@ -29,7 +30,7 @@ impl Program {
             format!("{:#}", rustc_demangle::demangle(name))
         };
         let symbols = file.symbols().map(|symbol| (name(&symbol), symbol.address() as u32)).collect();
-        let table = Table::parse(&data)?.ok_or("the program has no log")?;
+        let table = Table::parse(&data)?;
         Ok(Self { symbols, table })
     }
 
@@ -42,7 +43,8 @@ impl Program {
 
     /// The lines of a log.
     pub fn decode(&self, bytes: &[u8]) -> Result<Vec<String>> {
-        let mut decoder = self.table.new_stream_decoder();
+        let table = self.table.as_ref().ok_or("the program has no log")?;
+        let mut decoder = table.new_stream_decoder();
         decoder.received(bytes);
         let mut lines = Vec::new();
         loop {

@@ -7,6 +7,7 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
+use crate::counter::Counter;
 use crate::{Firmware, Result};
 
 /// The program.
@@ -20,10 +21,24 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// # Errors
 ///
 /// Where the program ends otherwise or hangs.
-pub fn run(program: &Path, mut line: impl FnMut(&str)) -> Result<()> {
+pub fn run(program: &Path, line: impl FnMut(&str)) -> Result<()> {
+    run_with(program, &[], line)
+}
+
+/// The same, and the instructions of every frame as another counter counts them.
+///
+/// # Errors
+///
+/// Where the program ends otherwise or hangs.
+pub fn run_marked(program: &Path, counter: &Counter, line: impl FnMut(&str)) -> Result<Vec<u64>> {
+    counter.between_marks(program, |options| run_with(program, options, line))
+}
+
+fn run_with(program: &Path, options: &[&str], mut line: impl FnMut(&str)) -> Result<()> {
     let mut board = Running(
         Command::new("qemu-system-arm")
             .args(["-M", MACHINE, "-display", "none", "-monitor", "none", "-serial", "stdio", "-icount", "shift=0"])
+            .args(options)
             .args(["-semihosting-config", "enable=on,target=native", "-kernel"])
             .arg(program)
             .stdin(Stdio::null())

@@ -3,6 +3,7 @@
 //! `UPDATE_INSTRUCTIONS=1 cargo test -p emulator --test boards -- --ignored published` writes the figures anew.
 
 mod capacity;
+mod counters;
 mod digests;
 mod figures;
 mod image;

@@ -14,7 +14,7 @@ use crate::image::Image;
 use crate::{report, rules};
 
 /// The number type whose figures are always measured.
-const USUAL: &str = "q24";
+pub(crate) const USUAL: &str = "q24";
 
 #[test]
 fn figures_of_q24_are_those_that_are_published() {

@@ -1,7 +1,8 @@
-//! Number types on an FPU: the board and a host reach the same sheets.
+//! Number types on an FPU: the board and a host reach the same sheets, and the board counts as a second counter does.
 
-use emulator::board::feather::{FIRMWARE, run};
-use feather::race::{Judge, Result, race};
+use emulator::board::feather::{FIRMWARE, run_marked};
+use emulator::counter::Counter;
+use feather::race::{FRAMES, Judge, Result, race};
 
 /// The host's results. What a frame costs is the board's to say.
 struct Results(Vec<Result>);
@@ -28,7 +29,7 @@ fn parse(line: &str) -> Option<([String; 4], u64)> {
 fn the_feather_computes_what_a_host_computes() {
     let mut rows = Vec::new();
     let program = &FIRMWARE.build().unwrap()[FIRMWARE.targets[0]];
-    run(program, |line| {
+    let counts = run_marked(program, &Counter::build().unwrap(), |line| {
         println!("{line}");
         rows.extend(parse(line));
     })
@@ -40,6 +41,14 @@ fn the_feather_computes_what_a_host_computes() {
         [(*number).to_owned(), (*solver).to_owned(), strain, format!("{digest:08x}")]
     });
     assert!(expected.eq(rows.iter().map(|(row, _)| row.clone())), "{rows:?} {:?}", results.0);
+
+    // a counter that shares nothing with the board's clock
+    let counts: Vec<_> = counts.chunks(FRAMES as usize).map(|frames| frames.iter().sum::<u64>() as f64).collect();
+    assert_eq!(counts.len(), rows.len());
+    for ((row, cost), count) in rows.iter().zip(counts) {
+        let frame = count / f64::from(FRAMES);
+        assert!((*cost as f64 - frame).abs() <= 0.01 * frame, "{row:?}: {cost} by the clock, not {frame}");
+    }
 
     // rows come in threes of two solvers: floating point first
     let cost = |row: usize| rows[row].1 as f64;

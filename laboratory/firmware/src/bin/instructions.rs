@@ -20,6 +20,7 @@ use core::hint::black_box;
 
 use cases::bench::{self, Bench, SIDE, WARM_UP, counted};
 use cortex_m_semihosting::{debug, hprintln};
+use firmware::FREQUENCY;
 use firmware::clock::Clock;
 use kerchief::force::Force;
 use kerchief::{Cloth, Collider, Links, Scalar, Scene, Solver, measure};
@@ -64,7 +65,7 @@ impl Bench for Counter {
 #[cortex_m_rt::entry]
 fn main() -> ! {
     if let Some(peripherals) = cortex_m::Peripherals::take() {
-        bench::play_all(&mut Counter(Clock::new(peripherals.SYST)));
+        bench::play_all(&mut Counter(Clock::new(peripherals.SYST, FREQUENCY)));
         hprintln!("end");
     }
     debug::exit(debug::EXIT_SUCCESS);

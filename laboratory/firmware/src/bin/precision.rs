@@ -14,6 +14,7 @@
 compile_error!("firmware runs on a board: run cargo in laboratory/firmware, whose .cargo/config.toml names the target");
 
 use cortex_m_semihosting::{debug, hprintln};
+use firmware::FREQUENCY;
 use firmware::clock::Clock;
 use kerchief::{
     Bend, Cloth, Drag, Gravity, Leapfrog, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Solver, Stretch, Units, Verlet,
@@ -89,7 +90,7 @@ fn main() -> ! {
     const NUMBER: Option<&str> = option_env!("KERCHIEF_NUMBER");
     let wanted = |name: &str| NUMBER.is_none_or(|number| number == name);
     if let Some(peripherals) = cortex_m::Peripherals::take() {
-        let clock = &mut Clock::new(peripherals.SYST);
+        let clock = &mut Clock::new(peripherals.SYST, FREQUENCY);
         if wanted(f32::NAME) {
             play_all::<f32>(clock);
         }
