@@ -15,6 +15,9 @@ const WORD: &str = "frames-for-callgrind";
 /// Frames before the counted one: a solver's first frame differs from all others.
 pub(crate) const BEFORE: u32 = 1;
 
+/// Has glibc clear and copy in loops. Where it takes `rep stosb` or `rep movsb`, which are one instruction, callgrind counts one for every byte.
+const TUNABLES: &str = "glibc.cpu.x86_rep_stosb_threshold=0x7fffffff:glibc.cpu.x86_rep_movsb_threshold=0x7fffffff";
+
 /// Whether valgrind is on the path.
 pub(crate) fn is_there() -> bool {
     let quiet = Command::new("valgrind").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
@@ -54,6 +57,7 @@ pub(crate) fn instructions(text: &str, configuration: Configuration) -> Result<u
     let room = tempfile::tempdir().map_err(failed)?;
     let counts = room.path().join("counts");
     let mut child = Command::new("valgrind")
+        .env("GLIBC_TUNABLES", TUNABLES)
         .args(["--tool=callgrind", "--toggle-collect=*frame_for_callgrind*"])
         .arg(format!("--callgrind-out-file={}", counts.display()))
         .arg(std::env::current_exe().map_err(failed)?)
