@@ -13,7 +13,7 @@
 //! cd boards/feather && cargo run --release           # in QEMU too, as .cargo/config.toml says; there you name your probe
 //! ```
 //!
-//! `SysTick` counts: in QEMU executed instructions, on a board cycles of its 16 MHz.
+//! `SysTick` counts: in QEMU executed instructions, on a board cycles of its 16 MHz. Don't compare one with the other: an instruction takes a cycle or more.
 #![no_std]
 #![no_main]
 

@@ -28,7 +28,7 @@ pub(crate) const PROCESSORS: [&str; 3] = ["Cortex-M0", "Cortex-M3", "Cortex-M4F"
 /// From here on a figure is another.
 const TOLERANCE: f64 = 0.03;
 
-/// The instructions that the boards' clock does not tell apart.
+/// The instructions that the boards' clock does not tell apart: those of a tick.
 pub(crate) const TICK: u64 = 80;
 
 fn path() -> PathBuf {

@@ -11,7 +11,8 @@ use crate::measure::strains;
 
 const PAGE: &str = "docs/instructions.md";
 const README: &str = "README.md";
-/// Around the README's table.
+const FIXED_POINT: &str = "docs/fixed-point.md";
+/// Around the tables of these two.
 const MARKS: [&str; 2] = ["<!-- figures of boards -->\n", "<!-- end of figures -->\n"];
 
 const PARTICLES: u64 = (SIDE * SIDE) as u64;
@@ -66,6 +67,51 @@ const PARTS: [(&str, &str, &str); 14] = [
     ("rest, in motion", "xpbd, resting", "xpbd"),
 ];
 
+/// Goals for a figure on each processor, and what is held against them.
+struct Goal {
+    what: &'static str,
+    /// The goal, and an aim beyond it. Where there is none nothing is shown.
+    goals: [&'static str; 3],
+    /// Names, number types and figures.
+    reached: &'static [(&'static str, &'static str, Reached)],
+}
+
+/// A figure in a number type on each processor.
+type Reached = fn(&Figures, &str) -> [f64; 3];
+
+const VERLET_LINK: Reached = |figures, number| figures.run(number, KERNELS[1]);
+const XPBD_LINK: Reached = |figures, number| figures.run(number, KERNELS[0]);
+const VERLET: Reached = |figures, number| figures.millions(number, "verlet");
+const XPBD: Reached = |figures, number| figures.millions(number, "xpbd");
+const LINE_SOLVER: Reached = |figures, number| figures.millions(number, "lines");
+
+const GOALS: [Goal; 4] = [
+    Goal {
+        what: "one link of a sweep, `Q13`",
+        goals: ["75 (60)", "45 (32)", "40 (30)"],
+        reached: &[("Verlet", "q13", VERLET_LINK), ("XPBD", "q13", XPBD_LINK)],
+    },
+    Goal {
+        what: "one link of a sweep, `f32`",
+        goals: ["", "", "30 (25)"],
+        reached: &[("Verlet", "f32", VERLET_LINK), ("XPBD", "f32", XPBD_LINK)],
+    },
+    Goal {
+        what: "frame of Verlet, 8 sweeps of stretch and shear, million",
+        goals: ["0.65", "0.33", "0.29"],
+        reached: &[
+            ("`Q13`", "q13", VERLET),
+            ("`Q24`", "q24", VERLET),
+            ("XPBD in 8 substeps instead, `Q13`", "q13", XPBD),
+        ],
+    },
+    Goal {
+        what: "frame of the line solver, strain below 1 %, million",
+        goals: ["0.5", "0.25", "0.14"],
+        reached: &[("`Q13`", "q13", LINE_SOLVER), ("`f32`", "f32", LINE_SOLVER)],
+    },
+];
+
 fn path(page: &str) -> PathBuf {
     emulator::root().join(page)
 }
@@ -73,11 +119,12 @@ fn path(page: &str) -> PathBuf {
 pub(crate) fn write(figures: &[Figure]) {
     fs::write(path(PAGE), page(figures)).expect("docs/instructions.md can be written");
     fs::write(path(README), readme(figures)).expect("README.md can be written");
+    fs::write(path(FIXED_POINT), fixed_point(figures)).expect("docs/fixed-point.md can be written");
 }
 
 /// Holds the pages to the committed figures.
 pub(crate) fn check(figures: &[Figure]) {
-    for (path, expected) in [(PAGE, page(figures)), (README, readme(figures))] {
+    for (path, expected) in [(PAGE, page(figures)), (README, readme(figures)), (FIXED_POINT, fixed_point(figures))] {
         let found = fs::read_to_string(self::path(path)).expect("a page can be read");
         assert!(found == expected, "{path} doesn't show docs/instructions.csv");
     }
@@ -105,10 +152,20 @@ impl<'a> Figures<'a> {
     }
 
     /// Instructions of one run of a kernel, for each processor.
-    fn kernel(&self, number: &str, (_, scene, than, runs): (&str, &str, Option<&str>, u64)) -> [String; 3] {
+    fn run(&self, number: &str, (_, scene, than, runs): (&str, &str, Option<&str>, u64)) -> [f64; 3] {
         // the bare scene of Verlet has one substep, its sweeps are as many as XPBD's substeps
         let runs = runs * u64::from(SWEEPS);
-        self.more(number, scene, than).map(|more| format!("{:.0}", more as f64 / runs as f64))
+        self.more(number, scene, than).map(|more| more as f64 / runs as f64)
+    }
+
+    /// The same in words.
+    fn kernel(&self, number: &str, kernel: (&str, &str, Option<&str>, u64)) -> [String; 3] {
+        self.run(number, kernel).map(|instructions| format!("{instructions:.0}"))
+    }
+
+    /// Millions of instructions of a frame, for each processor.
+    fn millions(&self, number: &str, scene: &str) -> [f64; 3] {
+        self.get(number, scene).instructions().map(|count| count as f64 / 1e6)
     }
 }
 
@@ -117,8 +174,10 @@ fn page(figures: &[Figure]) -> String {
     let mut text = format!(
         "# What it costs on a board\n\n\
          Executed instructions, loads and stores included, averaged over a sheet of {SIDE} × {SIDE} particles that hangs from two corners. Counted by \
-         `SysTick` in QEMU, where every instruction takes a nanosecond; compiled by Rust {}.0 with the profile `release` of `laboratory/firmware`. A scene's numbers \
+         `SysTick` in QEMU, where every instruction takes a nanosecond and a tick takes 80; compiled by Rust {}.0 with the profile `release` of `laboratory/firmware`. A scene's numbers \
          are not known to the compiler. [`instructions.csv`](instructions.csv) has the counts themselves.\n\n\
+         A second counter, which shares nothing with that clock, counts the same frames: a plugin of QEMU, [`counter`](../laboratory/counter/src/lib.rs), adds up the instructions of \
+         every block that runs. In every scene and number type the two have to agree within 1 %.\n\n\
          `cargo test -p emulator --test boards -- --include-ignored` measures all of it and fails where anything is off by more than 3 %; with `UPDATE_INSTRUCTIONS=1` it writes this page.\n",
         env!("CARGO_PKG_RUST_VERSION")
     );
@@ -177,12 +236,52 @@ fn page(figures: &[Figure]) -> String {
     text
 }
 
+/// A page with other text in the place for figures.
+fn replaced(page: &str, text: &str) -> String {
+    let old = fs::read_to_string(path(page)).expect("a page can be read");
+    let (before, rest) = old.split_once(MARKS[0]).expect("a page has a place for figures");
+    let (_, after) = rest.split_once(MARKS[1]).expect("the place for figures ends");
+    [before, MARKS[0], text, MARKS[1], after].concat()
+}
+
+/// The page about fixed point with its table of goals: bold is what reaches them.
+fn fixed_point(figures: &[Figure]) -> String {
+    let figures = Figures(figures);
+    let mut table = head(&["", ""], &PROCESSORS);
+    for Goal { what, goals, reached } in &GOALS {
+        let word = if goals.iter().any(|goal| goal.contains('(')) { "goal (aim)" } else { "goal" };
+        table += &row(&[what, word], &goals.map(str::to_owned));
+        for (name, number, reached) in *reached {
+            let counts = reached(&figures, number);
+            let cells = std::array::from_fn::<_, 3, _>(|processor| {
+                let Some(goal) = goals[processor].split(' ').next().and_then(|goal| goal.parse::<f64>().ok()) else {
+                    return String::new();
+                };
+                let count = counts[processor];
+                let text = if goal < 1.0 { format!("{count:.2}") } else { format!("{count:.0}") };
+                if count <= goal { format!("**{text}**") } else { text }
+            });
+            table += &row(&["", &format!("reached, {name}")], &cells);
+        }
+    }
+    let bytes = |scene| {
+        let figure = figures.get("q13", scene);
+        (figure.cloth + figure.memory) / PARTICLES
+    };
+    let blank = [String::new(), String::new()];
+    let ram = [
+        ("RAM a particle, Verlet and XPBD; line solver, bytes", "goal", "24; 56".to_owned()),
+        ("", "reached", format!("{}; {}", bytes("xpbd"), bytes("lines"))),
+    ];
+    for (what, word, bytes) in ram {
+        table += &row(&[what, word], &[&[bytes][..], &blank].concat());
+    }
+    replaced(FIXED_POINT, &table)
+}
+
 /// The README with its table.
 fn readme(figures: &[Figure]) -> String {
     let figures = Figures(figures);
-    let readme = fs::read_to_string(path(README)).expect("README.md can be read");
-    let (before, rest) = readme.split_once(MARKS[0]).expect("README.md has a place for figures");
-    let (_, after) = rest.split_once(MARKS[1]).expect("the place for figures ends");
     let mut table = head(&["16 × 16 particles", "number"], &PROCESSORS);
     for number in figures.numbers() {
         table += &row(&["instructions of a link (XPBD)", number], &figures.kernel(number, KERNELS[0]));
@@ -200,10 +299,9 @@ fn readme(figures: &[Figure]) -> String {
         format!("{least:.0} to {most:.0} KB of flash and {:.1} KB of RAM", ram as f64 / 1024.0)
     };
     let [xpbd, lines] = ["xpbd", "lines"].map(memory);
-    format!(
-        "{before}{}{table}\nA program that moves such a sheet takes {xpbd} with XPBD, {lines} with the line solver.\n{}{after}",
-        MARKS[0], MARKS[1]
-    )
+    let _ =
+        writeln!(table, "\nA program that moves such a sheet takes {xpbd} with XPBD, {lines} with the line solver.");
+    replaced(README, &table)
 }
 
 fn thousands(figure: &Figure) -> [String; 3] {
