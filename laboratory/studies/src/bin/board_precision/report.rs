@@ -17,7 +17,7 @@ const ERRORS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 const COSTS: (f64, f64) = (1e4, 1e10);
 const SEEN: (f64, f64) = (1e-6, 1.0);
 
-const WORDS: &str = "The sheet of 16 × 16 particles on two corners of the first section, played on a Cortex-M0, M3 and M4F in QEMU: *instructions* are those of a \
+const WORDS: &str = "The sheet of 16 × 16 particles on two corners of the first section, played on a Cortex-M0, M3 and M4F in QEMU: *instructions* are those executed in a \
     frame of 0.1 s, all of the sheet, the mean of 2 s. *Errors* are those of the same runs on the host; both machines end with the same digest. `f32` is software on \
     M0 and M3.";
 
