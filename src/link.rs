@@ -16,7 +16,7 @@ use crate::units::Strength;
 
 pub use limit::StrainLimited;
 pub use order::each;
-pub(crate) use order::{Offset, each_row, fits, in_row};
+pub(crate) use order::{Offset, OneByOne, each_row, fits, in_row, one_by_one};
 pub use spring::{Bend, Damped, Shear, Stretch};
 pub use tether::Tether;
 

@@ -1,7 +1,7 @@
 //! What can be read off a sheet: strain, energy, momentum, bounds, digest. Nothing here changes it.
 
 use crate::grid::Grid;
-use crate::link::{Family, Links, Offset, Visitor};
+use crate::link::{Family, Links, Offset, OneByOne, Visitor, one_by_one};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::Units;
@@ -37,12 +37,12 @@ struct Meter<'a, S: Scalar, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Meter<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        self.links(family, Offset::of::<ACROSS, DOWN>());
+        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
     }
 }
 
-impl<S: Scalar, const W: usize, const H: usize> Meter<'_, S, W, H> {
-    #[inline(never)] // one for all families
+impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Meter<'_, S, W, H> {
+    #[inline(always)]
     fn links(&mut self, family: &Family<S>, offset: Offset) {
         offset.each::<W, H>(|a, b| {
             let length = (self.particles.position.at(b) - self.particles.position.at(a)).length();
@@ -82,12 +82,12 @@ pub fn elastic_energy<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Store<'_, S, W, H> {
         #[inline]
         fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-            self.links(family, Offset::of::<ACROSS, DOWN>());
+            one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
         }
     }
 
-    impl<S: Scalar, const W: usize, const H: usize> Store<'_, S, W, H> {
-        #[inline(never)] // one for all families
+    impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Store<'_, S, W, H> {
+        #[inline(always)]
         fn links(&mut self, family: &Family<S>, offset: Offset) {
             let strength = family.strength.dividend.to_f64() / family.strength.divisor.to_f64();
             offset.each::<W, H>(|a, b| {

@@ -4,7 +4,7 @@
 use core::cmp::Ordering;
 
 use crate::fingerprint::Fingerprint;
-use crate::link::{Family, Links, Offset, Visitor};
+use crate::link::{Family, Links, Offset, OneByOne, Visitor, one_by_one};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -70,12 +70,12 @@ struct Shorten<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Shorten<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        self.links(family, Offset::of::<ACROSS, DOWN>());
+        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
     }
 }
 
-impl<S: Scalar, const W: usize, const H: usize> Shorten<'_, S, W, H> {
-    #[inline(never)] // one for all families
+impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Shorten<'_, S, W, H> {
+    #[inline(always)]
     fn links(&mut self, family: &Family<S>, offset: Offset) {
         let longest = family.rest.length * self.allowed;
         // a little shorter than allowed, so that sweeps come to an end

@@ -1,5 +1,6 @@
 //! The order in which the links of a family are visited.
 
+use super::Family;
 use crate::grid::Node;
 
 /// Calls `visit` with both ends of every link of offset `ACROSS`, `DOWN` in a sheet of `W` × `H` particles; where neither is zero,
@@ -13,7 +14,20 @@ pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usi
     Offset::of::<ACROSS, DOWN>().each::<W, H>(visit);
 }
 
-/// How far apart the ends of a family's links are, as numbers: what visits links in this way is compiled once, not once for each family.
+/// Does something with the links of a family, whichever it is.
+pub(crate) trait OneByOne<S> {
+    fn links(&mut self, family: &Family<S>, offset: Offset);
+}
+
+/// Lets `visitor` do what it does. Host programs compile dozens of grids: there it is one piece of code for all families. A board has one grid, and each family gets its own, whose
+/// offsets the compiler knows: a third faster for leapfrog on a Cortex-M3.
+#[cfg_attr(feature = "std", inline(never))]
+#[cfg_attr(not(feature = "std"), inline(always))]
+pub(crate) fn one_by_one<S>(visitor: &mut impl OneByOne<S>, family: &Family<S>, offset: Offset) {
+    visitor.links(family, offset);
+}
+
+/// How far apart the ends of a family's links are.
 #[derive(Clone, Copy)]
 pub(crate) struct Offset {
     pub(crate) across: usize,

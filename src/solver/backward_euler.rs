@@ -16,7 +16,7 @@ mod gradients;
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::{Grid, Node, each_node};
-use crate::link::{Family, Links, Offset, Visitor, fits};
+use crate::link::{Family, Links, Offset, OneByOne, Visitor, fits, one_by_one};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -197,12 +197,12 @@ struct Pull<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Pull<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        self.links(family, Offset::of::<ACROSS, DOWN>());
+        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
     }
 }
 
-impl<S: Scalar, const W: usize, const H: usize> Pull<'_, S, W, H> {
-    #[inline(never)] // one for all families
+impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Pull<'_, S, W, H> {
+    #[inline(always)]
     fn links(&mut self, family: &Family<S>, offset: Offset) {
         let stiffness = self.system.stiffness(family);
         offset.each::<W, H>(|a, b| {
@@ -225,12 +225,12 @@ struct Brake<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        self.links(family, Offset::of::<ACROSS, DOWN>());
+        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
     }
 }
 
-impl<S: Scalar, const W: usize, const H: usize> Brake<'_, S, W, H> {
-    #[inline(never)] // one for all families
+impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Brake<'_, S, W, H> {
+    #[inline(always)]
     fn links(&mut self, family: &Family<S>, offset: Offset) {
         let damping = self.system.stiffness(family);
         offset.each::<W, H>(|a, b| {
@@ -252,12 +252,12 @@ struct Stiffness<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Stiffness<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        self.links(family, Offset::of::<ACROSS, DOWN>());
+        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
     }
 }
 
-impl<S: Scalar, const W: usize, const H: usize> Stiffness<'_, S, W, H> {
-    #[inline(never)] // one for all families
+impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Stiffness<'_, S, W, H> {
+    #[inline(always)]
     fn links(&mut self, family: &Family<S>, offset: Offset) {
         let stiffness = self.system.stiffness(family);
         let inverse_length = family.rest.inverse;
@@ -285,12 +285,12 @@ struct Viscosity<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Viscosity<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        self.links(family, Offset::of::<ACROSS, DOWN>());
+        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
     }
 }
 
-impl<S: Scalar, const W: usize, const H: usize> Viscosity<'_, S, W, H> {
-    #[inline(never)] // one for all families
+impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Viscosity<'_, S, W, H> {
+    #[inline(always)]
     fn links(&mut self, family: &Family<S>, offset: Offset) {
         let damping = self.system.stiffness(family);
         offset.each::<W, H>(|a, b| {

@@ -2,7 +2,7 @@
 
 use crate::force::Force;
 use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, Offset, Visitor};
+use crate::link::{Family, Links, Offset, OneByOne, Visitor, one_by_one};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::predict::field;
@@ -46,12 +46,12 @@ struct Springs<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Springs<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        self.links(family, Offset::of::<ACROSS, DOWN>());
+        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
     }
 }
 
-impl<S: Scalar, const W: usize, const H: usize> Springs<'_, S, W, H> {
-    #[inline(never)] // one for all families
+impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Springs<'_, S, W, H> {
+    #[inline(always)]
     fn links(&mut self, family: &Family<S>, offset: Offset) {
         let stiffness = family.strength.value();
         offset.each::<W, H>(|a, b| {
@@ -70,12 +70,12 @@ struct Dampers<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Dampers<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        self.links(family, Offset::of::<ACROSS, DOWN>());
+        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
     }
 }
 
-impl<S: Scalar, const W: usize, const H: usize> Dampers<'_, S, W, H> {
-    #[inline(never)] // one for all families
+impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Dampers<'_, S, W, H> {
+    #[inline(always)]
     fn links(&mut self, family: &Family<S>, offset: Offset) {
         let damping = family.strength.value();
         offset.each::<W, H>(|a, b| {

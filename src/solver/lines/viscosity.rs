@@ -7,7 +7,7 @@
 //! they are to others, so that passes for what is left over converge. Three make the error of third order in κ.
 
 use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, Offset, Quotient, Visitor, fits};
+use crate::link::{Family, Links, Offset, OneByOne, Quotient, Visitor, fits, one_by_one};
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
@@ -77,14 +77,14 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Sum<'_, S, W, H> 
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         if fits::<ACROSS, DOWN, W, H>() {
-            self.add(family, Offset::of::<ACROSS, DOWN>());
+            one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
         }
     }
 }
 
-impl<S: Scalar, const W: usize, const H: usize> Sum<'_, S, W, H> {
-    #[inline(never)] // one for all families
-    fn add(&mut self, family: &Family<S>, Offset { across, down }: Offset) {
+impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Sum<'_, S, W, H> {
+    #[inline(always)]
+    fn links(&mut self, family: &Family<S>, Offset { across, down }: Offset) {
         let axes = self.axes.get_or_insert_with(|| Axes {
             response: self.response,
             weakest: weakest(self.inverse_mass.0.as_flattened()),
@@ -114,12 +114,12 @@ struct Brake<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        self.links(family, Offset::of::<ACROSS, DOWN>());
+        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
     }
 }
 
-impl<S: Scalar, const W: usize, const H: usize> Brake<'_, S, W, H> {
-    #[inline(never)] // one for all families
+impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Brake<'_, S, W, H> {
+    #[inline(always)]
     fn links(&mut self, family: &Family<S>, offset: Offset) {
         let Quotient { dividend, divisor } = self.axes.strength(family);
         let strength = dividend.halve(self.shift).divide(divisor);
