@@ -17,6 +17,7 @@
 
 mod chain;
 mod contact;
+mod diagonal;
 mod ease;
 mod flicker;
 mod heavy;

@@ -131,12 +131,30 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         }
     }
 
-    fn lines<const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
-        let Some(tension) = self.tension.get_mut(slot) else { return };
+    /// What the rule in time makes of a family's κ. A taut chain between two pins has no pivot but for its divisor: of what a number can tell from nothing, a little is
+    /// left.
+    fn strength(&self, family: &Family<S>) -> Quotient<S> {
         let strength = family.strength.scaled(self.softness);
-        // a taut row between two pins has no pivot but for this: of what a number can tell from nothing, a little is left
         let least = S::from_f64(8.0 * S::RESOLUTION);
-        let strength = Quotient { divisor: strength.divisor.max(least), ..strength };
+        Quotient { divisor: strength.divisor.max(least), ..strength }
+    }
+
+    fn diagonals(&mut self, family: &Family<S>, slot: usize) {
+        let strength = self.strength(family);
+        let Self { moment, rounding, ref ordinary, heavy, span, .. } = *self;
+        let chain = Chain { rest: &family.rest, strength, moment, rounding, ordinary, heavy, span };
+        if let Some([black, white]) = self.tension.get_mut(slot..slot + 2) {
+            let worst = chain.diagonals(self.particles, [black, white]);
+            self.met = self.met.max(worst * family.rest.inverse);
+        } else if self.first {
+            let [mut black, mut white] = [Grid::filled(S::ZERO); 2];
+            chain.diagonals(self.particles, [&mut black, &mut white]);
+        }
+    }
+
+    fn lines<const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
+        let strength = self.strength(family);
+        let Some(tension) = self.tension.get_mut(slot) else { return };
         let Self { moment, rounding, ref ordinary, heavy, span, .. } = *self;
         let chain = Chain { rest: &family.rest, strength, moment, rounding, ordinary, heavy, span };
         let worst = if const { DOWN == 0 } {
@@ -196,6 +214,12 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Relax<'_, S, W, H
                 Pass::Start => self.clear(slot),
                 Pass::Others => {}
                 Pass::Lines => self.lines::<DOWN>(family, slot),
+            }
+        } else if const { ACROSS == 1 && DOWN == 1 } {
+            match self.pass {
+                Pass::Start => (slot..slot + 2).for_each(|slot| self.clear(slot)),
+                Pass::Others => self.diagonals(family, slot),
+                Pass::Lines => {}
             }
         } else {
             match self.pass {
