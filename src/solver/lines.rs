@@ -26,6 +26,7 @@ mod pairs;
 mod predict;
 mod pull;
 mod relax;
+mod split;
 mod viscosity;
 
 use crate::collider::Collider;
@@ -42,6 +43,7 @@ use crate::vectors::Vectors;
 use flicker::Flicker;
 use pull::Pull;
 use relax::Relax;
+use split::{Outcome, Split};
 use viscosity::Axes;
 
 /// Second order in time, exact along rows and columns, stable for any stiffness and step: the solver for sheets that hardly stretch.
@@ -105,6 +107,7 @@ pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
     /// The multiplier of each link, at its upper or left particle, in cells over the dividend of the link's strength.
     tension: [Grid<S, W, H>; N],
     flicker: Flicker,
+    split: Split,
     history: History,
 }
 
@@ -113,7 +116,7 @@ impl<S: Scalar, const W: usize, const H: usize, const N: usize> Memory<S, W, H, 
     pub const BLANK: Self = {
         assert!(N >= 2, "the line solver remembers rows and columns at least");
         let (earlier, tension) = (Vectors::filled(Vec3::ZERO), [Grid::filled(S::ZERO); N]);
-        Self { earlier, tension, flicker: Flicker::NONE, history: History::None }
+        Self { earlier, tension, flicker: Flicker::NONE, split: Split::NONE, history: History::None }
     };
 }
 
@@ -144,13 +147,43 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         memory: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
+        let split = memory.split.halvings();
+        let before = (moment.substep - 1) << split;
+        let mut outcome = Outcome::NONE;
+        for part in 1..=1 << split {
+            let moment = Moment {
+                substep: before + part,
+                substeps: moment.substeps << split,
+                shift: moment.shift + split,
+                ..moment
+            };
+            outcome = outcome.and(self.part(physics, particles, memory, moment, split));
+        }
+        if memory.split.learn(&outcome, S::from_f64(self.tolerance), self.most_sweeps) {
+            memory.history = History::Rough;
+            memory.flicker = Flicker::NONE;
+        }
+    }
+}
+
+impl<const N: usize> Lines<N> {
+    /// Moves particles by a part of a substep: a half, a quarter and so on, `split` times halved.
+    fn part<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        particles: &mut Particles<S, W, H>,
+        memory: &mut Memory<S, W, H, N>,
+        moment: Moment,
+        split: u32,
+    ) -> Outcome<S> {
+        let [least_sweeps, most_sweeps] = [self.sweeps, self.most_sweeps].map(|sweeps| (sweeps >> split).max(1));
         let first_order = memory.history == History::Rough;
         // what friction looks back to
         let start = physics.colliders.is_present().then_some(particles.position);
         if first_order {
-            predict::first_order(physics.forces, particles, memory, moment);
+            predict::first_order(physics.forces, particles, memory, moment, split);
         } else {
-            predict::second_order(physics.forces, particles, memory, moment);
+            predict::second_order(physics.forces, particles, memory, moment, split);
         }
         // the rule in time: x' depends on v' by part·h, and v' on a' by part·h/(1 + part·γ·h)
         let (moment, part) = if first_order || memory.history == History::None {
@@ -158,14 +191,15 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         } else {
             (Moment { halves: 3, ..moment }, S::from_int(2).divide(S::from_int(3)))
         };
-        let response = part.divide(S::ONE + part * physics.forces.drag().rate);
-        let softness = part * response;
+        let response = part.divide(S::ONE + part * physics.forces.drag().rate.halve(split));
+        let softness = (part * response).halve(2 * split);
+        let response = response.halve(split);
         let (tension, pull) = memory.tension.split_at_mut(N - const { spare::<S, L>(N) });
         let mut viscous = pull
             .first_chunk_mut()
             .and_then(|pull| Some((Pull(pull), Axes::of(physics.links, &particles.inverse_mass, response)?)));
         let started = viscous.as_mut().map(|(pull, axes)| {
-            if memory.history == History::None {
+            if memory.history == History::None || memory.split.is_new() {
                 pull.forget();
             }
             pull.damp(physics.links, particles, moment, part, axes)
@@ -179,8 +213,8 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         }
         let tolerance = S::from_f64(self.tolerance);
         let (mut before, mut met) = (S::ZERO, relax.sweep(physics.links, true));
-        let (mut sweeps, least) = (1, self.sweeps.max(memory.flicker.kept()));
-        while sweeps < self.most_sweeps && (sweeps < least || met > tolerance) {
+        let (mut sweeps, least) = (1, least_sweeps.max(memory.flicker.kept()));
+        while sweeps < most_sweeps && (sweeps < least || met > tolerance) {
             if let Some(start) = &start {
                 // between the sweeps, so that links answer to what a collider does to them
                 contact::resolve(physics.colliders, relax.particles, start, &mut memory.earlier, moment, true);
@@ -190,7 +224,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         }
         relax.complete();
         // the last sweep but one has met rows within a quarter of the tolerance
-        memory.flicker.learn(sweeps, self.sweeps, before < tolerance.halve(2));
+        memory.flicker.learn(sweeps, least_sweeps, before < tolerance.halve(2));
         if memory.flicker.kept() > 0 && !is_calm(particles, moment) {
             memory.flicker.release();
         }
@@ -209,6 +243,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             (false, true) => History::Velocity,
             (false, false) => History::Full,
         };
+        Outcome { met, few: sweeps <= least_sweeps }
     }
 }
 
