@@ -93,6 +93,9 @@ impl<const N: usize> Default for Lines<N> {
 /// substep, and tears a sheet of 32 × 32 apart whose diagonals are as stiff as its rows.
 const WARM: f64 = 0.8;
 
+/// Sweeps in a part of a substep.
+const OFTEN: u32 = 4;
+
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
 
@@ -159,7 +162,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             };
             outcome = outcome.and(self.part(physics, particles, memory, moment, split));
         }
-        if memory.split.learn(&outcome, S::from_f64(self.tolerance), self.most_sweeps) {
+        if memory.split.learn(&outcome, S::from_f64(self.tolerance), split::most_halvings(self.most_sweeps, W.max(H))) {
             memory.history = History::Rough;
             memory.flicker = Flicker::NONE;
         }
@@ -177,6 +180,7 @@ impl<const N: usize> Lines<N> {
         split: u32,
     ) -> Outcome<S> {
         let [least_sweeps, most_sweeps] = [self.sweeps, self.most_sweeps].map(|sweeps| (sweeps >> split).max(1));
+        let most_sweeps = most_sweeps.min(OFTEN).max(least_sweeps);
         let first_order = memory.history == History::Rough;
         // what friction looks back to
         let start = physics.colliders.is_present().then_some(particles.position);

@@ -11,6 +11,8 @@
 //! Columns are solved side by side, [`LANES`] at a time. A row is eliminated from both its ends to its middle (a twisted factorisation), so that a mirrored
 //! sheet of even width is solved as the mirror image, to the last bit; all of a row but the elimination is done for many links at once.
 
+use heapless::Vec;
+
 use crate::grid::Grid;
 use crate::link::Quotient;
 use crate::moment::Moment;
@@ -287,12 +289,12 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let dividend = self.strength.dividend;
         let own = yielding(dividend);
         let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
-        let mut normals = [Vec3::<[S; N]>::row(Vec3::ZERO); H];
-        let mut factors = [[S::ZERO; N]; H];
-        let mut changes = [[S::ZERO; N]; H];
+        // pushed one by one, so that none has to be written twice
+        let mut links = Vec::<Link<S, N>, H>::new();
         let mut worst = S::ZERO;
         for k in 0..count.saturating_sub(1) {
             let [x, y] = [&particles.position.0[top + k], &particles.position.0[top + k + 1]];
+            let mut link = Link { normal: Vec3::row(Vec3::ZERO), change: [S::ZERO; N], factor: [S::ZERO; N] };
             for lane in 0..N {
                 let [here, next] = [k, k + 1].map(|k| place.column(k) + lane);
                 let (excess, normal) = (y.at(next) - x.at(here)).direction(self.rest);
@@ -300,24 +302,25 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 if !S::FLOATS {
                     worst = worst.max(residual.abs());
                 }
-                normals[k].set(lane, normal);
-                changes[k][lane] = residual;
+                link.normal.set(lane, normal);
+                link.change[lane] = residual;
             }
+            _ = links.push(link); // there is room for all
         }
         let divisor = (0..N).fold(S::ZERO, |divisor, lane| {
             let added = || {
-                let residual = core::array::from_fn(|k| changes[k][lane]);
+                let residual = core::array::from_fn(|k| links.get(k).map_or(S::ZERO, |link| link.change[lane]));
                 held_back(&residual, &self.inverse_masses(particles, place, lane, heavy), count)
             };
             divisor.max(self.divisor::<ORDINARY, H>(worst, added))
         });
         let is_held_back = divisor > heavy.scaled(self.strength.divisor);
         let mut above = [Eliminated::NONE; N];
-        for k in 0..count.saturating_sub(1) {
+        let mut before = Vec3::<[S; N]>::row(Vec3::ZERO);
+        for (k, link) in links.iter_mut().enumerate() {
             let [u, v] = [&particles.inverse_mass.0[top + k], &particles.inverse_mass.0[top + k + 1]];
-            let before = if k > 0 { normals[k - 1] } else { normals[H - 1] };
             for lane in 0..N {
-                let coupling = before.at(lane).cosine(normals[k].at(lane)).scaled(dividend);
+                let coupling = before.at(lane).cosine(link.normal.at(lane)).scaled(dividend);
                 let (coupling, inverse_mass) = if ORDINARY {
                     (coupling, S::ONE + S::ONE)
                 } else {
@@ -326,50 +329,54 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                     (coupling * here, here + next)
                 };
                 let diagonal = inverse_mass * own + divisor;
-                let factor;
-                (above[lane], factor) = above[lane].next::<ORDINARY>(diagonal, coupling, changes[k][lane]);
-                factors[k][lane] = factor;
-                changes[k][lane] = above[lane].right;
+                (above[lane], link.factor[lane]) =
+                    above[lane].next::<ORDINARY>(diagonal, coupling, link.change[lane]);
+                link.change[lane] = above[lane].right;
             }
+            before = link.normal;
         }
-        let [mut change, mut most] = [[S::ZERO; N]; 2];
+        let [mut change, mut factor, mut most] = [[S::ZERO; N]; 3];
         let mut below = Vec3::<[S; N]>::row(Vec3::ZERO);
-        for k in (0..count).rev() {
+        let displace = |particles: &mut Particles<S, W, H>, k: usize, by: Vec3<[S; N]>| {
             let row = top + k;
             let w = &particles.inverse_mass.0[row];
-            // the least of both says to the compiler what it is
-            let link_above = (if k > 0 { k - 1 } else { H - 1 }).min(H - 1);
-            let mut pull = below;
-            for lane in 0..N {
-                change[lane] = changes[link_above][lane] + times::<ORDINARY, S>(change[lane], factors[k][lane]);
-                changes[link_above][lane] = change[lane];
-                most[lane] = most[lane].max(change[lane]);
-                pull.set(
-                    lane,
-                    normals[link_above].at(lane).of_length(self.strength.times_dividend(change[lane]), self.rounding),
-                );
-            }
-            if k > 0 {
-                let tension = &mut tension.0[row - 1];
-                for lane in 0..N {
-                    let column = place.column(k - 1) + lane;
-                    tension[column] = tension[column].difference(-change[lane]); // does not wrap
-                }
-            }
             let (x, v) = (&mut particles.position.0[row], &mut particles.velocity.0[row]);
             for lane in 0..N {
                 let column = place.column(k) + lane;
-                let by = below.at(lane) - pull.at(lane);
+                let by = by.at(lane);
                 displace(x, v, column, if ORDINARY { by } else { by * heavy.scaled(w[column]) }, self.moment);
             }
-            below = pull;
+        };
+        for (k, link) in links.iter_mut().enumerate().rev() {
+            let tension = &mut tension.0[top + k];
+            let (mut pull, mut by) = (below, below);
+            for lane in 0..N {
+                change[lane] = link.change[lane] + times::<ORDINARY, S>(change[lane], factor[lane]);
+                link.change[lane] = change[lane];
+                most[lane] = most[lane].max(change[lane]);
+                pull.set(
+                    lane,
+                    link.normal.at(lane).of_length(self.strength.times_dividend(change[lane]), self.rounding),
+                );
+                by.set(lane, below.at(lane) - pull.at(lane));
+            }
+            for lane in 0..N {
+                let column = place.column(k) + lane;
+                tension[column] = tension[column].difference(-change[lane]); // does not wrap
+            }
+            displace(particles, k + 1, by);
+            (below, factor) = (pull, link.factor);
         }
+        displace(particles, 0, below);
         for lane in 0..N {
             if self.is_taut(most[lane], heavy) {
                 let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
-                (0..count).for_each(|k| normal.set(k, normals[k].at(lane)));
-                let changes = core::array::from_fn(|k| changes[k][lane]);
-                self.ease(particles, place, lane, (&normal, &changes), heavy);
+                let mut change = [S::ZERO; H];
+                for (k, link) in links.iter().enumerate() {
+                    normal.set(k, link.normal.at(lane));
+                    change[k] = link.change[lane];
+                }
+                self.ease(particles, place, lane, (&normal, &change), heavy);
             }
         }
         if is_held_back { worst } else { S::ZERO }
@@ -403,6 +410,15 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             displace(&mut particles.position.0[row], &mut particles.velocity.0[row], column, by.at(k), self.moment);
         }
     }
+}
+
+/// Links of some chains side by side.
+struct Link<S, const N: usize> {
+    normal: Vec3<[S; N]>,
+    /// At first the residual, in the end what the multiplier changes by.
+    change: [S; N],
+    /// The part of its change that the change of the link above has of it.
+    factor: [S; N],
 }
 
 /// Where a chain lies: it starts in row `top` and column `first`, and has a particle in each of `count` rows, `slant` columns further in each.

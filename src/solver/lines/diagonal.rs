@@ -9,6 +9,8 @@
 //! a row's partners are the row below with the two of each pair [swapped]. Machines that compute several numbers at once eliminate down the rows, all diagonals side
 //! by side; others take one diagonal after the other, which needs no grids to work in.
 
+use heapless::Vec;
+
 use crate::grid::Grid;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -38,77 +40,123 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     /// Solves the diagonals of one colour, in floats.
     #[inline(never)] // so that sheet and multipliers are known to be apart
     fn diagonals_at_once(&self, particles: &mut Particles<S, W, H>, colour: usize, tension: &mut Grid<S, W, H>) {
+        let mut above = Above {
+            position: particles.position.0[0].components(unzipped),
+            inverse_mass: unzipped(&particles.inverse_mass.0[0]),
+            normal: Vec3::row(Vec3::ZERO),
+            pivot: [S::ZERO; W],
+            right: [S::ZERO; W],
+        };
+        // pushed one by one, so that none has to be written twice
+        let mut links = Vec::<Links<S, W>, H>::new();
+        for row in 1..H {
+            let (y, v, tension) = (&particles.position.0[row], &particles.inverse_mass.0[row], &tension.0[row - 1]);
+            let row = if (row - 1 + colour) % 2 == 0 {
+                self.eliminate::<0>(&mut above, y, v, tension)
+            } else {
+                self.eliminate::<1>(&mut above, y, v, tension)
+            };
+            _ = links.push(row); // there is room for all
+        }
+        let mut factor = [S::ZERO; W];
+        let mut below = Below { change: [S::ZERO; W], pull: Vec3::row(Vec3::ZERO), most: [S::ZERO; W] };
+        for (row, links) in (1..H).zip(&mut links).rev() {
+            let tension = &mut tension.0[row - 1];
+            let by = if (row - 1 + colour) % 2 == 0 {
+                self.substitute::<0>(&mut below, &factor, links, tension)
+            } else {
+                self.substitute::<1>(&mut below, &factor, links, tension)
+            };
+            factor = links.factor;
+            self.displace(particles, row, by);
+        }
+        self.displace(particles, 0, below.pull);
+        let most = below.most.iter().fold(S::ZERO, |most, lane| most.max(*lane));
+        if self.is_taut(most, Heavy::NONE) {
+            self.ease_diagonals(particles, colour, &links);
+        }
+    }
+
+    /// Eliminates the links to a row, whose particles have these positions and inverse masses.
+    #[inline(never)] // so that all rows are known to be apart
+    fn eliminate<const PARITY: usize>(
+        &self,
+        above: &mut Above<S, W>,
+        y: &Vec3<[S; W]>,
+        v: &[S; W],
+        tension: &[S; W],
+    ) -> Links<S, W> {
         let (dividend, divisor) = (self.strength.dividend, self.strength.divisor);
         let own = yielding(dividend);
-        let mut normals = [Vec3::<[S; W]>::row(Vec3::ZERO); H];
-        let [mut factors, mut changes] = [[[S::ZERO; W]; H]; 2];
-        let mut pivots = [S::ZERO; W];
-        let mut rights = [S::ZERO; W];
-        let mut before = Vec3::<[S; W]>::row(Vec3::ZERO);
-        for row in 0..H - 1 {
-            let parity = (row + colour) % 2;
-            let x = &particles.position.0[row];
-            let y = particles.position.0[row + 1].components(|y| swapped(y, parity));
-            let u = &particles.inverse_mass.0[row];
-            let v = swapped(&particles.inverse_mass.0[row + 1], parity);
-            let (tension, normals, changes) = (&tension.0[row], &mut normals[row], &mut changes[row]);
-            for lane in 0..W {
-                let (excess, normal) = (y.at(lane) - x.at(lane)).direction(self.rest);
-                changes[lane] = excess - self.strength.times_divisor(tension[lane]);
-                normals.set(lane, normal);
-            }
-            for lane in alone::<W>(parity) {
-                normals.set(lane, Vec3::ZERO);
-                changes[lane] = S::ZERO;
-            }
-            for lane in 0..W {
-                let coupling = before.at(lane).cosine(normals.at(lane)).scaled(dividend) * u[lane];
-                let diagonal = (u[lane] + v[lane]) * own + divisor;
-                let above = Eliminated { pivot: pivots[lane], right: rights[lane] };
-                let (next, factor) = above.next::<false>(diagonal, coupling, changes[lane]);
-                (pivots[lane], rights[lane]) = (next.pivot, next.right);
-                factors[row][lane] = factor;
-                changes[lane] = next.right;
-            }
-            // in the next row a link goes on from where the one above it ends
-            (pivots, rights) = (swapped(&pivots, parity), swapped(&rights, parity));
-            before = normals.components(|normal| swapped(normal, parity));
+        let Above { position: x, inverse_mass: u, .. } = above;
+        let (y, v) = (y.components(unzipped), unzipped(v));
+        let (ends, w) = (y.components(crossed::<PARITY, S, W>), crossed::<PARITY, S, W>(&v));
+        let [mut change, mut factor, mut pivot] = [[S::ZERO; W]; 3];
+        let mut normal = Vec3::row(Vec3::ZERO);
+        for lane in 0..W {
+            let (excess, along) = (ends.at(lane) - x.at(lane)).direction(self.rest);
+            change[lane] = excess - self.strength.times_divisor(tension[lane]);
+            normal.set(lane, along);
         }
-        let [mut change, mut most] = [[S::ZERO; W]; 2];
-        let mut below = Vec3::<[S; W]>::row(Vec3::ZERO);
-        for row in (0..H).rev() {
-            let mut pull = Vec3::<[S; W]>::row(Vec3::ZERO);
-            if row > 0 {
-                let parity = (row - 1 + colour) % 2;
-                for lane in 0..W {
-                    change[lane] = change[lane] * factors[row][lane];
-                }
-                change = swapped(&change, parity);
-                let (tension, normals, changes) =
-                    (&mut tension.0[row - 1], &normals[row - 1], &mut changes[row - 1]);
-                for lane in 0..W {
-                    change[lane] = changes[lane] + change[lane];
-                    changes[lane] = change[lane];
-                    most[lane] = most[lane].max(change[lane]);
-                    tension[lane] = tension[lane] + change[lane];
-                    pull.set(
-                        lane,
-                        normals.at(lane).of_length(self.strength.times_dividend(change[lane]), self.rounding),
-                    );
-                }
-                let above = pull.components(|pull| swapped(pull, parity));
-                let w = particles.inverse_mass.0[row];
-                displace_row(particles, row, |lane| (below.at(lane) - above.at(lane)) * w[lane], self.moment);
-            } else {
-                let w = particles.inverse_mass.0[row];
-                displace_row(particles, row, |lane| below.at(lane) * w[lane], self.moment);
-            }
-            below = pull;
+        for lane in alone::<W>(PARITY) {
+            normal.set(lane, Vec3::ZERO);
+            change[lane] = S::ZERO;
         }
-        let most = most.iter().fold(S::ZERO, |most, lane| most.max(*lane));
-        if self.is_taut(most, Heavy::NONE) {
-            self.ease_diagonals(particles, colour, &normals, &changes);
+        for lane in 0..W {
+            let coupling = above.normal.at(lane).cosine(normal.at(lane)).scaled(dividend) * u[lane];
+            let diagonal = (u[lane] + w[lane]) * own + divisor;
+            let next;
+            (next, factor[lane]) = Eliminated { pivot: above.pivot[lane], right: above.right[lane] }
+                .next::<false>(diagonal, coupling, change[lane]);
+            (pivot[lane], change[lane]) = (next.pivot, next.right);
         }
+        *above = Above {
+            pivot: crossed::<PARITY, S, W>(&pivot),
+            right: crossed::<PARITY, S, W>(&change),
+            normal: normal.components(crossed::<PARITY, S, W>),
+            position: y,
+            inverse_mass: v,
+        };
+        Links { normal, factor, change }
+    }
+
+    /// Finds what the links to a row change by, given the `factor` of that row's links, and what moves its particles.
+    #[inline(never)] // so that all rows are known to be apart
+    fn substitute<const PARITY: usize>(
+        &self,
+        below: &mut Below<S, W>,
+        factor: &[S; W],
+        links: &mut Links<S, W>,
+        tension: &mut [S; W],
+    ) -> Vec3<[S; W]> {
+        let mut part = [S::ZERO; W];
+        for lane in 0..W {
+            part[lane] = below.change[lane] * factor[lane];
+        }
+        let part = crossed::<PARITY, S, W>(&part);
+        let mut pull = Vec3::row(Vec3::ZERO);
+        for lane in 0..W {
+            let change = links.change[lane] + part[lane];
+            links.change[lane] = change;
+            below.change[lane] = change;
+            below.most[lane] = below.most[lane].max(change);
+            tension[lane] = tension[lane] + change;
+            pull.set(lane, links.normal.at(lane).of_length(self.strength.times_dividend(change), self.rounding));
+        }
+        let above = pull.components(crossed::<PARITY, S, W>);
+        let mut by = core::mem::replace(&mut below.pull, pull);
+        for lane in 0..W {
+            by.set(lane, by.at(lane) - above.at(lane));
+        }
+        by
+    }
+
+    /// Moves a row by an unzipped pull.
+    #[inline(never)] // so that all rows are known to be apart
+    fn displace(&self, particles: &mut Particles<S, W, H>, row: usize, pull: Vec3<[S; W]>) {
+        let by = pull.components(zipped);
+        let w = particles.inverse_mass.0[row];
+        displace_row(particles, row, |column| by.at(column) * w[column], self.moment);
     }
 
     /// Eases those diagonals of one colour that are taut, whose links have these directions and changes of multipliers.
@@ -117,17 +165,16 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         &self,
         particles: &mut Particles<S, W, H>,
         colour: usize,
-        normals: &[Vec3<[S; W]>; H],
-        changes: &[[S; W]; H],
+        links: &[Links<S, W>],
     ) {
         each_diagonal::<W, H>(colour, |place| {
             let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
             let mut change = [S::ZERO; H];
             let mut most = S::ZERO;
             for k in 0..place.count - 1 {
-                let (row, column) = (place.top + k, place.column(k));
-                normal.set(k, normals[row].at(column));
-                change[k] = changes[row][column];
+                let (links, lane) = (&links[place.top + k], lane::<W>(place.column(k)));
+                normal.set(k, links.normal.at(lane));
+                change[k] = links.change[lane];
                 most = most.max(change[k]);
             }
             if self.is_taut(most, Heavy::NONE) {
@@ -160,29 +207,94 @@ pub(super) fn each_diagonal<const W: usize, const H: usize>(colour: usize, mut v
     }
 }
 
-/// The row with neighbours swapped in pairs, the first of which starts in column `parity`.
+/// What is known of the links that start in a row.
+#[derive(Clone, Copy)]
+struct Links<S, const W: usize> {
+    normal: Vec3<[S; W]>,
+    /// The part of a link's change that the change of the link above has of it.
+    factor: [S; W],
+    /// What a multiplier changes by.
+    change: [S; W],
+}
+
+/// A row, unzipped, and the links that end in it.
+struct Above<S, const W: usize> {
+    position: Vec3<[S; W]>,
+    inverse_mass: [S; W],
+    normal: Vec3<[S; W]>,
+    pivot: [S; W],
+    right: [S; W],
+}
+
+/// The links that start in a row.
+struct Below<S, const W: usize> {
+    change: [S; W],
+    pull: Vec3<[S; W]>,
+    /// The largest change below.
+    most: [S; W],
+}
+
+/// The even columns of a row, then the odd ones: partners lie in stretches that change places.
 #[inline(always)]
-fn swapped<S: Copy, const W: usize>(row: &[S; W], parity: usize) -> [S; W] {
-    let mut swapped = *row;
-    if parity == 0 {
-        swap_pairs(&mut swapped);
+fn unzipped<S: Copy, const W: usize>(row: &[S; W]) -> [S; W] {
+    let mut unzipped = *row;
+    let (even, odd) = unzipped.split_at_mut(W.div_ceil(2));
+    let quads = row.chunks_exact(8).zip(even.chunks_exact_mut(4)).zip(odd.chunks_exact_mut(4));
+    for ((row, even), odd) in quads {
+        even.copy_from_slice(&[row[0], row[2], row[4], row[6]]);
+        odd.copy_from_slice(&[row[1], row[3], row[5], row[7]]);
+    }
+    for k in W / 8 * 4..W / 2 {
+        (even[k], odd[k]) = (row[2 * k], row[2 * k + 1]);
+    }
+    if W % 2 == 1 {
+        unzipped[W / 2] = row[W - 1];
+    }
+    unzipped
+}
+
+/// The row of which this is the unzipped one.
+#[inline(always)]
+fn zipped<S: Copy, const W: usize>(row: &[S; W]) -> [S; W] {
+    let mut zipped = *row;
+    for k in 0..W / 2 {
+        (zipped[2 * k], zipped[2 * k + 1]) = (row[k], row[W.div_ceil(2) + k]);
+    }
+    if W % 2 == 1 {
+        zipped[W - 1] = row[W / 2];
+    }
+    zipped
+}
+
+/// Where a column stands in an unzipped row.
+#[inline(always)]
+const fn lane<const W: usize>(column: usize) -> usize {
+    if column % 2 == 0 { column / 2 } else { W.div_ceil(2) + column / 2 }
+}
+
+/// The unzipped row with neighbours swapped in pairs, the first of which starts in column `PARITY`; nothing where there is no partner.
+#[inline(always)]
+fn crossed<const PARITY: usize, S: Scalar, const W: usize>(row: &[S; W]) -> [S; W] {
+    let odd = const { W.div_ceil(2) };
+    let mut crossed = [S::ZERO; W];
+    if const { PARITY == 0 } {
+        crossed[..W / 2].copy_from_slice(&row[odd..]);
+        crossed[odd..].copy_from_slice(&row[..W / 2]);
     } else {
-        swap_pairs(&mut swapped[1..]);
+        // whole stretches, which machines copy faster than all but one
+        crossed[..odd].copy_from_slice(&row[odd - 1..2 * odd - 1]);
+        crossed[odd..].copy_from_slice(&row[1..=W / 2]);
     }
-    swapped
+    for lane in alone::<W>(PARITY) {
+        crossed[lane] = S::ZERO;
+    }
+    crossed
 }
 
-#[inline(always)]
-fn swap_pairs<S: Copy>(row: &mut [S]) {
-    for pair in row.chunks_exact_mut(2) {
-        pair.swap(0, 1);
-    }
-}
-
-/// The columns that belong to no pair.
+/// The places in an unzipped row that belong to no pair.
 #[inline(always)]
 fn alone<const W: usize>(parity: usize) -> impl Iterator<Item = usize> {
     let first = (parity == 1).then_some(0);
-    let last = ((W - parity) % 2 == 1).then_some(W - 1);
+    let last = ((W - parity) % 2 == 1).then_some(lane::<W>(W - 1));
     first.into_iter().chain(last)
 }

@@ -22,6 +22,14 @@ impl<S: Scalar> Outcome<S> {
     }
 }
 
+/// The largest number of halvings where a substep of a grid this long has at most so many sweeps. What a sweep leaves shrinks by 1 − c/N², so longer grids need more: four times as
+/// many parts where a side is longer than 32 particles, 16 times from 64 on.
+pub(super) const fn most_halvings(sweeps: u32, side: usize) -> u32 {
+    let more = (side as u32).div_ceil(32).next_power_of_two().ilog2();
+    let sweeps = if sweeps > 1 { sweeps.ilog2() } else { 0 };
+    sweeps + 2 * more
+}
+
 /// Into how many parts substeps are split.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Split {
@@ -43,11 +51,11 @@ impl Split {
 
     /// Returns whether the next substep is split otherwise.
     #[inline(never)]
-    pub(super) fn learn<S: Scalar>(&mut self, outcome: &Outcome<S>, tolerance: S, most_sweeps: u32) -> bool {
-        let most = most_sweeps.max(1).ilog2() as u8;
+    pub(super) fn learn<S: Scalar>(&mut self, outcome: &Outcome<S>, tolerance: S, most: u32) -> bool {
+        let most = most as u8;
         let before = self.halvings;
         if outcome.met > tolerance {
-            self.halvings = (before + if outcome.met > tolerance.double(2) { 2 } else { 1 }).min(most);
+            self.halvings = (before + 2).min(most);
             self.calm = 0;
         } else if outcome.few && outcome.met < tolerance.halve(3) {
             self.calm += 1;
