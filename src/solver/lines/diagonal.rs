@@ -41,8 +41,6 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     #[inline(never)] // so that sheet and multipliers are known to be apart
     fn diagonals_at_once(&self, particles: &mut Particles<S, W, H>, colour: usize, tension: &mut Grid<S, W, H>) {
         let mut above = Above {
-            position: particles.position.0[0].components(unzipped),
-            inverse_mass: unzipped(&particles.inverse_mass.0[0]),
             normal: Vec3::row(Vec3::ZERO),
             pivot: [S::ZERO; W],
             right: [S::ZERO; W],
@@ -50,11 +48,13 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         // pushed one by one, so that none has to be written twice
         let mut links = Vec::<Links<S, W>, H>::new();
         for row in 1..H {
-            let (y, v, tension) = (&particles.position.0[row], &particles.inverse_mass.0[row], &tension.0[row - 1]);
+            let [x, y] = [row - 1, row].map(|row| &particles.position.0[row]);
+            let [u, v] = [row - 1, row].map(|row| &particles.inverse_mass.0[row]);
+            let tension = &tension.0[row - 1];
             let row = if (row - 1 + colour) % 2 == 0 {
-                self.eliminate::<0>(&mut above, y, v, tension)
+                self.eliminate::<0>(&mut above, [x, y], [u, v], tension)
             } else {
-                self.eliminate::<1>(&mut above, y, v, tension)
+                self.eliminate::<1>(&mut above, [x, y], [u, v], tension)
             };
             _ = links.push(row); // there is room for all
         }
@@ -82,15 +82,13 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     fn eliminate<const PARITY: usize>(
         &self,
         above: &mut Above<S, W>,
-        y: &Vec3<[S; W]>,
-        v: &[S; W],
+        [x, y]: [&Vec3<[S; W]>; 2],
+        [u, v]: [&[S; W]; 2],
         tension: &[S; W],
     ) -> Links<S, W> {
         let (dividend, divisor) = (self.strength.dividend, self.strength.divisor);
         let own = yielding(dividend);
-        let Above { position: x, inverse_mass: u, .. } = above;
-        let (y, v) = (y.components(unzipped), unzipped(v));
-        let (ends, w) = (y.components(crossed::<PARITY, S, W>), crossed::<PARITY, S, W>(&v));
+        let (ends, w) = (y.components(crossed::<PARITY, S, W>), crossed::<PARITY, S, W>(v));
         let [mut change, mut factor, mut pivot] = [[S::ZERO; W]; 3];
         let mut normal = Vec3::row(Vec3::ZERO);
         for lane in 0..W {
@@ -114,8 +112,6 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             pivot: crossed::<PARITY, S, W>(&pivot),
             right: crossed::<PARITY, S, W>(&change),
             normal: normal.components(crossed::<PARITY, S, W>),
-            position: y,
-            inverse_mass: v,
         };
         Links { normal, factor, change }
     }
@@ -154,7 +150,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     /// Moves a row by an unzipped pull.
     #[inline(never)] // so that all rows are known to be apart
     fn displace(&self, particles: &mut Particles<S, W, H>, row: usize, pull: Vec3<[S; W]>) {
-        let by = pull.components(zipped);
+        let by = pull;
         let w = particles.inverse_mass.0[row];
         displace_row(particles, row, |column| by.at(column) * w[column], self.moment);
     }
@@ -172,7 +168,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             let mut change = [S::ZERO; H];
             let mut most = S::ZERO;
             for k in 0..place.count - 1 {
-                let (links, lane) = (&links[place.top + k], lane::<W>(place.column(k)));
+                let (links, lane) = (&links[place.top + k], place.column(k));
                 normal.set(k, links.normal.at(lane));
                 change[k] = links.change[lane];
                 most = most.max(change[k]);
@@ -219,8 +215,6 @@ struct Links<S, const W: usize> {
 
 /// A row, unzipped, and the links that end in it.
 struct Above<S, const W: usize> {
-    position: Vec3<[S; W]>,
-    inverse_mass: [S; W],
     normal: Vec3<[S; W]>,
     pivot: [S; W],
     right: [S; W],
@@ -234,67 +228,19 @@ struct Below<S, const W: usize> {
     most: [S; W],
 }
 
-/// The even columns of a row, then the odd ones: partners lie in stretches that change places.
-#[inline(always)]
-fn unzipped<S: Copy, const W: usize>(row: &[S; W]) -> [S; W] {
-    let mut unzipped = *row;
-    let (even, odd) = unzipped.split_at_mut(W.div_ceil(2));
-    let quads = row.chunks_exact(8).zip(even.chunks_exact_mut(4)).zip(odd.chunks_exact_mut(4));
-    for ((row, even), odd) in quads {
-        even.copy_from_slice(&[row[0], row[2], row[4], row[6]]);
-        odd.copy_from_slice(&[row[1], row[3], row[5], row[7]]);
-    }
-    for k in W / 8 * 4..W / 2 {
-        (even[k], odd[k]) = (row[2 * k], row[2 * k + 1]);
-    }
-    if W % 2 == 1 {
-        unzipped[W / 2] = row[W - 1];
-    }
-    unzipped
-}
-
-/// The row of which this is the unzipped one.
-#[inline(always)]
-fn zipped<S: Copy, const W: usize>(row: &[S; W]) -> [S; W] {
-    let mut zipped = *row;
-    for k in 0..W / 2 {
-        (zipped[2 * k], zipped[2 * k + 1]) = (row[k], row[W.div_ceil(2) + k]);
-    }
-    if W % 2 == 1 {
-        zipped[W - 1] = row[W / 2];
-    }
-    zipped
-}
-
-/// Where a column stands in an unzipped row.
-#[inline(always)]
-const fn lane<const W: usize>(column: usize) -> usize {
-    if column % 2 == 0 { column / 2 } else { W.div_ceil(2) + column / 2 }
-}
-
-/// The unzipped row with neighbours swapped in pairs, the first of which starts in column `PARITY`; nothing where there is no partner.
+/// The row with neighbours swapped in pairs, the first of which starts in column `PARITY`; nothing where there is no partner.
 #[inline(always)]
 fn crossed<const PARITY: usize, S: Scalar, const W: usize>(row: &[S; W]) -> [S; W] {
-    let odd = const { W.div_ceil(2) };
-    let mut crossed = [S::ZERO; W];
-    if const { PARITY == 0 } {
-        crossed[..W / 2].copy_from_slice(&row[odd..]);
-        crossed[odd..].copy_from_slice(&row[..W / 2]);
-    } else {
-        // whole stretches, which machines copy faster than all but one
-        crossed[..odd].copy_from_slice(&row[odd - 1..2 * odd - 1]);
-        crossed[odd..].copy_from_slice(&row[1..=W / 2]);
-    }
-    for lane in alone::<W>(PARITY) {
-        crossed[lane] = S::ZERO;
-    }
-    crossed
+    core::array::from_fn(|column| {
+        let partner = if column % 2 == PARITY { column + 1 } else { column.wrapping_sub(1) };
+        row.get(partner).copied().unwrap_or(S::ZERO)
+    })
 }
 
-/// The places in an unzipped row that belong to no pair.
+/// The columns that belong to no pair.
 #[inline(always)]
 fn alone<const W: usize>(parity: usize) -> impl Iterator<Item = usize> {
     let first = (parity == 1).then_some(0);
-    let last = ((W - parity) % 2 == 1).then_some(lane::<W>(W - 1));
+    let last = ((W - parity) % 2 == 1).then_some(W - 1);
     first.into_iter().chain(last)
 }
