@@ -173,6 +173,9 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
             (slot..slot + slots::<ACROSS, DOWN>()).for_each(|slot| self.clear(slot));
             return;
         }
+        if const { ACROSS == 1 && DOWN == 1 } && !soft {
+            return self.diagonals(family, slot);
+        }
         let warm = S::from_f64(WARM);
         let memory = self.tension.get_mut(slot..slot + slots::<ACROSS, DOWN>());
         // without a memory a second time would count twice
@@ -214,12 +217,6 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Relax<'_, S, W, H
                 Pass::Start => self.clear(slot),
                 Pass::Others => {}
                 Pass::Lines => self.lines::<DOWN>(family, slot),
-            }
-        } else if const { ACROSS == 1 && DOWN == 1 } {
-            match self.pass {
-                Pass::Start => (slot..slot + 2).for_each(|slot| self.clear(slot)),
-                Pass::Others => self.diagonals(family, slot),
-                Pass::Lines => {}
             }
         } else {
             match self.pass {
