@@ -150,6 +150,9 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         memory: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
+        if memory.history == History::None {
+            memory.split = Split::start(W.max(H), self.most_sweeps);
+        }
         let split = memory.split.halvings();
         let before = (moment.substep - 1) << split;
         let mut outcome = Outcome::NONE;
@@ -162,7 +165,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             };
             outcome = outcome.and(self.part(physics, particles, memory, moment, split));
         }
-        if memory.split.learn(&outcome, S::from_f64(self.tolerance), split::most_halvings(self.most_sweeps, W.max(H))) {
+        if memory.split.learn(&outcome, S::from_f64(self.tolerance), W.max(H), self.most_sweeps) {
             memory.history = History::Rough;
             memory.flicker = Flicker::NONE;
         }
@@ -210,7 +213,7 @@ impl<const N: usize> Lines<N> {
         });
         let mut relax = Relax::new(particles, tension, moment, softness);
         relax.set_aside();
-        if memory.history == History::Full {
+        if memory.history == History::Full && split == 0 {
             relax.start(physics.links);
         } else {
             relax.forget();

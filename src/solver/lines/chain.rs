@@ -200,8 +200,14 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             most = most.max(change[k]);
         }
         if self.is_taut(most, heavy) {
-            let by =
-                ease(&normal, &change.map(|change| self.strength.times_dividend(change)), &w, W, self.rest.inverse, heavy);
+            let by = ease(
+                &normal,
+                &change.map(|change| self.strength.times_dividend(change)),
+                &w,
+                W,
+                self.rest.inverse,
+                heavy,
+            );
             displace_row(particles, row, |k| by.at(k), self.moment);
         }
         worst
@@ -329,8 +335,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                     (coupling * here, here + next)
                 };
                 let diagonal = inverse_mass * own + divisor;
-                (above[lane], link.factor[lane]) =
-                    above[lane].next::<ORDINARY>(diagonal, coupling, link.change[lane]);
+                (above[lane], link.factor[lane]) = above[lane].next::<ORDINARY>(diagonal, coupling, link.change[lane]);
                 link.change[lane] = above[lane].right;
             }
             before = link.normal;

@@ -40,11 +40,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     /// Solves the diagonals of one colour, in floats.
     #[inline(never)] // so that sheet and multipliers are known to be apart
     fn diagonals_at_once(&self, particles: &mut Particles<S, W, H>, colour: usize, tension: &mut Grid<S, W, H>) {
-        let mut above = Above {
-            normal: Vec3::row(Vec3::ZERO),
-            pivot: [S::ZERO; W],
-            right: [S::ZERO; W],
-        };
+        let mut above = Above { normal: Vec3::row(Vec3::ZERO), pivot: [S::ZERO; W], right: [S::ZERO; W] };
         // pushed one by one, so that none has to be written twice
         let mut links = Vec::<Links<S, W>, H>::new();
         for row in 1..H {
@@ -104,8 +100,11 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             let coupling = above.normal.at(lane).cosine(normal.at(lane)).scaled(dividend) * u[lane];
             let diagonal = (u[lane] + w[lane]) * own + divisor;
             let next;
-            (next, factor[lane]) = Eliminated { pivot: above.pivot[lane], right: above.right[lane] }
-                .next::<false>(diagonal, coupling, change[lane]);
+            (next, factor[lane]) = Eliminated { pivot: above.pivot[lane], right: above.right[lane] }.next::<false>(
+                diagonal,
+                coupling,
+                change[lane],
+            );
             (pivot[lane], change[lane]) = (next.pivot, next.right);
         }
         *above = Above {
@@ -157,12 +156,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     /// Eases those diagonals of one colour that are taut, whose links have these directions and changes of multipliers.
     #[inline(never)] // few are that taut
-    fn ease_diagonals(
-        &self,
-        particles: &mut Particles<S, W, H>,
-        colour: usize,
-        links: &[Links<S, W>],
-    ) {
+    fn ease_diagonals(&self, particles: &mut Particles<S, W, H>, colour: usize, links: &[Links<S, W>]) {
         each_diagonal::<W, H>(colour, |place| {
             let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
             let mut change = [S::ZERO; H];

@@ -22,12 +22,9 @@ impl<S: Scalar> Outcome<S> {
     }
 }
 
-/// The largest number of halvings where a substep of a grid this long has at most so many sweeps. What a sweep leaves shrinks by 1 − c/N², so longer grids need more: four times as
-/// many parts where a side is longer than 32 particles, 16 times from 64 on.
-pub(super) const fn most_halvings(sweeps: u32, side: usize) -> u32 {
-    let more = (side as u32).div_ceil(32).next_power_of_two().ilog2();
-    let sweeps = if sweeps > 1 { sweeps.ilog2() } else { 0 };
-    sweeps + 2 * more
+/// The halvings by which a grid with a side of so many particles needs more parts than one of 32.
+const fn longer(side: usize) -> u32 {
+    2 * (side as u32).div_ceil(32).next_power_of_two().ilog2()
 }
 
 /// Into how many parts substeps are split.
@@ -41,6 +38,11 @@ pub(super) struct Split {
 impl Split {
     pub(super) const NONE: Self = Self { halvings: 0, calm: 0, new: false };
 
+    /// Of a sheet of which nothing is known yet.
+    pub(super) fn start(side: usize, most_sweeps: u32) -> Self {
+        Self { halvings: if most_sweeps > 1 { longer(side) as u8 } else { 0 }, ..Self::NONE }
+    }
+
     pub(super) fn halvings(self) -> u32 {
         u32::from(self.halvings)
     }
@@ -51,8 +53,14 @@ impl Split {
 
     /// Returns whether the next substep is split otherwise.
     #[inline(never)]
-    pub(super) fn learn<S: Scalar>(&mut self, outcome: &Outcome<S>, tolerance: S, most: u32) -> bool {
-        let most = most as u8;
+    pub(super) fn learn<S: Scalar>(
+        &mut self,
+        outcome: &Outcome<S>,
+        tolerance: S,
+        side: usize,
+        most_sweeps: u32,
+    ) -> bool {
+        let most = (longer(side) + most_sweeps.max(1).ilog2()) as u8;
         let before = self.halvings;
         if outcome.met > tolerance {
             self.halvings = (before + 2).min(most);
