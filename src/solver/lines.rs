@@ -88,11 +88,6 @@ impl<const N: usize> Default for Lines<N> {
     }
 }
 
-/// The part of their last multipliers from which links other than rows and columns start, where they are softer than inertia (κ = k·h²/m ≤ 1). A larger part
-/// is more accurate where a sheet swings, and shakes a stiff one. What a stiffer family's multipliers have that moves nothing does not die away from substep to
-/// substep, and tears a sheet of 32 × 32 apart whose diagonals are as stiff as its rows.
-const WARM: f64 = 0.8;
-
 /// Sweeps in a part of a substep.
 const OFTEN: u32 = 4;
 
@@ -130,10 +125,8 @@ enum History {
     None,
     /// The last substep ended far from a solution.
     Rough,
-    /// The velocity before the last substep, which was backward Euler.
+    /// The velocity before the last substep.
     Velocity,
-    /// That velocity and the multipliers.
-    Full,
 }
 
 impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
@@ -213,11 +206,7 @@ impl<const N: usize> Lines<N> {
         });
         let mut relax = Relax::new(particles, tension, moment, softness);
         relax.set_aside();
-        if memory.history == History::Full && split == 0 {
-            relax.start(physics.links);
-        } else {
-            relax.forget();
-        }
+        relax.forget();
         let tolerance = S::from_f64(self.tolerance);
         let (mut before, mut met) = (S::ZERO, relax.sweep(physics.links, true));
         let (mut sweeps, least) = (1, least_sweeps.max(memory.flicker.kept()));
@@ -235,7 +224,6 @@ impl<const N: usize> Lines<N> {
         if memory.flicker.kept() > 0 && !is_calm(particles, moment) {
             memory.flicker.release();
         }
-        let rough = met > S::from_f64(ROUGH);
         physics.links.confine(particles, moment);
         if let Some(start) = &start {
             contact::resolve(physics.colliders, particles, start, &mut memory.earlier, moment, false);
@@ -245,11 +233,7 @@ impl<const N: usize> Lines<N> {
             let share = if part == S::ONE { S::from_f64(2.0 / 3.0) } else { S::ONE };
             pull.complete(physics.links, particles, started, axes, share);
         }
-        memory.history = match (rough, first_order) {
-            (true, _) => History::Rough,
-            (false, true) => History::Velocity,
-            (false, false) => History::Full,
-        };
+        memory.history = if met > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
         Outcome { met, few: sweeps <= least_sweeps }
     }
 }

@@ -251,8 +251,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     fn some<const N: usize>(&self, particles: &mut Particles<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) -> S {
         let place = Place { top: 0, first, count: H, slant: 0 };
-        if const { skips_masses::<S>() } && self.ordinary.columns.iter().skip(first).take(N).all(|ordinary| *ordinary) {
-            self.side_by_side::<N, true, false>(particles, place, tension)
+        if const { skips_masses::<S>() } {
+            self.one(particles, place, tension, self.ordinary.columns[first.min(W - 1)])
         } else {
             self.side_by_side::<N, false, false>(particles, place, tension)
         }
@@ -268,26 +268,31 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut unsolved = S::ZERO;
         each_diagonal::<W, H>(colour, |place| {
             let inverse_mass = |k: usize| particles.inverse_mass.0[place.top + k][place.column(k)];
-            let ordinary = const { skips_masses::<S>() } && (0..place.count).all(|k| inverse_mass(k) == S::ONE);
-            unsolved = unsolved.max(if ordinary {
-                self.side_by_side::<1, true, true>(particles, place, tension)
-            } else {
-                self.side_by_side::<1, false, true>(particles, place, tension)
-            });
+            let ordinary = (0..place.count).all(|k| inverse_mass(k) == S::ONE);
+            unsolved = unsolved.max(self.one(particles, place, tension, ordinary));
         });
         unsolved
     }
 
+    /// Solves one chain, whose particles may all have mass 1.
+    fn one(&self, particles: &mut Particles<S, W, H>, place: Place, tension: &mut Grid<S, W, H>, ordinary: bool) -> S {
+        if ordinary {
+            self.side_by_side::<1, true, true>(particles, place, tension)
+        } else {
+            self.side_by_side::<1, false, true>(particles, place, tension)
+        }
+    }
+
     /// Solves `N` chains. Returns their largest residual where they were held back.
     #[inline(never)] // so that sheet and multipliers are known to be apart
-    fn side_by_side<const N: usize, const ORDINARY: bool, const DIAGONAL: bool>(
+    fn side_by_side<const N: usize, const ORDINARY: bool, const ANYWHERE: bool>(
         &self,
         particles: &mut Particles<S, W, H>,
         place: Place,
         tension: &mut Grid<S, W, H>,
     ) -> S {
         // columns' extent is known when this is compiled
-        let place = if DIAGONAL { place } else { Place { top: 0, count: H, slant: 0, ..place } };
+        let place = if ANYWHERE { place } else { Place { top: 0, count: H, slant: 0, ..place } };
         let Place { top, first, count, .. } = place;
         if N > W || first > W - N || count > H || top > H - count {
             return S::ZERO; // said once, no column needs to be looked for
@@ -314,10 +319,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             _ = links.push(link); // there is room for all
         }
         let divisor = (0..N).fold(S::ZERO, |divisor, lane| {
-            let added = || {
-                let residual = core::array::from_fn(|k| links.get(k).map_or(S::ZERO, |link| link.change[lane]));
-                held_back(&residual, &self.inverse_masses(particles, place, lane, heavy), count)
-            };
+            let added = || self.held_back(&links, particles, place, lane, heavy);
             divisor.max(self.divisor::<ORDINARY, H>(worst, added))
         });
         let is_held_back = divisor > heavy.scaled(self.strength.divisor);
@@ -375,16 +377,45 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         displace(particles, 0, below);
         for lane in 0..N {
             if self.is_taut(most[lane], heavy) {
-                let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
-                let mut change = [S::ZERO; H];
-                for (k, link) in links.iter().enumerate() {
-                    normal.set(k, link.normal.at(lane));
-                    change[k] = link.change[lane];
-                }
-                self.ease(particles, place, lane, (&normal, &change), heavy);
+                self.ease_one(&links, particles, place, lane, heavy);
             }
         }
         if is_held_back { worst } else { S::ZERO }
+    }
+
+    /// What is added to the diagonal of one of some chains, whose residuals are known.
+    #[cold]
+    #[inline(never)]
+    fn held_back<const N: usize>(
+        &self,
+        links: &[Link<S, N>],
+        particles: &Particles<S, W, H>,
+        place: Place,
+        lane: usize,
+        heavy: Heavy,
+    ) -> S {
+        let mut residual = [S::ZERO; H];
+        residual.iter_mut().zip(links).for_each(|(residual, link)| *residual = link.change[lane]);
+        held_back(&residual, &self.inverse_masses(particles, place, lane, heavy), place.count)
+    }
+
+    /// Eases one of some chains.
+    #[inline(never)] // few chains are that taut
+    fn ease_one<const N: usize>(
+        &self,
+        links: &[Link<S, N>],
+        particles: &mut Particles<S, W, H>,
+        place: Place,
+        lane: usize,
+        heavy: Heavy,
+    ) {
+        let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
+        let mut change = [S::ZERO; H];
+        for (k, link) in links.iter().enumerate().take(H) {
+            normal.set(k, link.normal.at(lane));
+            change[k] = link.change[lane];
+        }
+        self.ease(particles, place, lane, (&normal, &change), heavy);
     }
 
     fn inverse_masses(&self, particles: &Particles<S, W, H>, place: Place, lane: usize, heavy: Heavy) -> [S; H] {
