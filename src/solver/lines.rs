@@ -10,10 +10,13 @@
 //!
 //! **Dampers** act on all velocities at once, by rows and columns, too ([`viscosity`]).
 //!
-//! **In space** a sweep relaxes the other families, then solves all rows, then all columns ([`chain`]); after each, particles are moved out of colliders. Rows and columns
-//! pull each other out of shape, so sweeps go on until a row is met whose links are within the tolerance: where the sheet swings two are enough, where it
-//! snaps taut more are spent; where their number [flickers](flicker), it is kept. The multipliers of rows and columns start from nothing: on a stiff sheet a
-//! part of the last ones does not die away, and shakes it. Those of other families start from a part of the last ones where they are soft, which is worth a sweep.
+//! **In space** a sweep solves the other families, all rows and all columns, one after the other; after each sweep, particles are moved out of colliders. Rows, columns and
+//! the diagonals of the cells are chains, each solved exactly ([`chain`], [`diagonal`]); diagonals that are softer than inertia (κ = k·h²/m ≤ 1) and all other links are relaxed
+//! one by one ([`pairs`]). Families pull each other out of shape, so sweeps go on until every row is within the tolerance when it is met: where the sheet swings two are
+//! enough, where it snaps taut more are spent; where their number [flickers](flicker), it is kept. All multipliers start from nothing: on a stiff sheet a part of the last ones
+//! does not die away, and shakes it.
+//!
+//! **Steps too long for sweeps** are [split]: what a sweep leaves shrinks by 1 − c/N² on a grid of N particles a side, but with the square of the step.
 
 mod chain;
 mod contact;
@@ -46,19 +49,19 @@ use relax::Relax;
 use split::{Outcome, Split};
 use viscosity::Axes;
 
-/// Second order in time, exact along rows and columns, stable for any stiffness and step: the solver for sheets that hardly stretch.
+/// Second order in time, exact along rows, columns and diagonals, stable for any stiffness and step: the solver for sheets that hardly stretch.
 ///
-/// `N` is the number of grids of multipliers that it remembers: one for each direction of links in the scene, in the order in which the scene names
-/// them, two for stretch, shear and bend each. Families beyond that start every substep from nothing, which costs accuracy only; rows and columns, without which
-/// nothing holds, come first wherever they are named, so at least two. Where links may be [damped](crate::link::Damped) three more: 7 for stretch and shear, 9
-/// with bend.
+/// `N` is the number of grids of multipliers that it has: one for each direction of links in the scene, in the order in which the scene names them, two for stretch, shear and
+/// bend each. Families beyond that act once in every substep, which costs accuracy only; rows and columns, without which nothing holds, come first wherever they are named,
+/// so at least two. Where links may be [damped](crate::link::Damped) three more: 7 for stretch and shear, 9 with bend.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lines<const N: usize = 4> {
     /// Sweeps in every substep, at least one. More make a substep more accurate; the order is 2 with any number.
     pub sweeps: u32,
     /// The largest strain of a row that needs no further sweep. Sheets in motion are strained by about as much.
     pub tolerance: f64,
-    /// The most sweeps in a substep, however strained rows are: what bounds the time that a step takes.
+    /// The most sweeps in a substep, however strained rows are, and the most parts into which it is split where they don't get within the tolerance: what bounds the time
+    /// that a step takes. Sheets with a side of more than 32 particles may be split into 4 times as many parts, with one of more than 64 into 16 times as many.
     pub most_sweeps: u32,
 }
 
@@ -88,8 +91,8 @@ impl<const N: usize> Default for Lines<N> {
     }
 }
 
-/// Sweeps in a part of a substep.
-const OFTEN: u32 = 4;
+/// The most sweeps before a substep is split rather than swept on, unless more are asked for: what more of them do is done better by shorter steps.
+const PATIENCE: u32 = 4;
 
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
@@ -102,7 +105,7 @@ const CALM: f64 = 0.2;
 pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
     /// The velocity before the last substep, cells per tick.
     earlier: Vectors<S, W, H>,
-    /// The multiplier of each link, at its upper or left particle, in cells over the dividend of the link's strength.
+    /// The multiplier of each link in the last sweep, at its upper or left particle, in cells over the dividend of the link's strength.
     tension: [Grid<S, W, H>; N],
     flicker: Flicker,
     split: Split,
@@ -176,7 +179,7 @@ impl<const N: usize> Lines<N> {
         split: u32,
     ) -> Outcome<S> {
         let [least_sweeps, most_sweeps] = [self.sweeps, self.most_sweeps].map(|sweeps| (sweeps >> split).max(1));
-        let most_sweeps = most_sweeps.min(OFTEN).max(least_sweeps);
+        let most_sweeps = most_sweeps.min(PATIENCE).max(least_sweeps);
         let first_order = memory.history == History::Rough;
         // what friction looks back to
         let start = physics.colliders.is_present().then_some(particles.position);
@@ -199,7 +202,7 @@ impl<const N: usize> Lines<N> {
             .first_chunk_mut()
             .and_then(|pull| Some((Pull(pull), Axes::of(physics.links, &particles.inverse_mass, response)?)));
         let started = viscous.as_mut().map(|(pull, axes)| {
-            if memory.history == History::None || memory.split.is_new() {
+            if memory.history != History::Velocity {
                 pull.forget();
             }
             pull.damp(physics.links, particles, moment, part, axes)
@@ -234,7 +237,7 @@ impl<const N: usize> Lines<N> {
             pull.complete(physics.links, particles, started, axes, share);
         }
         memory.history = if met > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
-        Outcome { met, few: sweeps <= least_sweeps }
+        Outcome { residual: met, few: sweeps <= least_sweeps }
     }
 }
 

@@ -238,3 +238,149 @@ fn alone<const W: usize>(parity: usize) -> impl Iterator<Item = usize> {
     let last = ((W - parity) % 2 == 1).then_some(W - 1);
     first.into_iter().chain(last)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Node;
+    use crate::link::Quotient;
+    use crate::moment::Moment;
+    use crate::scalar::{Q13, Q24, Rest};
+    use crate::solver::ordinary::Ordinary;
+
+    const MOMENT: Moment = Moment { substep: 1, substeps: 1, shift: 0, halves: 3 };
+
+    /// A crumpled sheet with two pins and particles of three masses, mirrored or not.
+    fn crumpled<S: Scalar, const W: usize, const H: usize>(mirrored: bool) -> Particles<S, W, H> {
+        let mut particles = Particles::BLANK;
+        for (k, node) in Grid::<S, W, H>::nodes().enumerate() {
+            let number = |of: usize| 0.2 * libm::sin((7 * k + of) as f64);
+            let column = if mirrored { W - 1 - node.column } else { node.column };
+            let x = node.column as f64 - 0.5 * (W - 1) as f64 + number(1);
+            let place = Node { column, ..node };
+            let place_of = |x| Vec3::from_f64([x, node.row as f64 + number(2), number(3)]);
+            particles.position.set(place, place_of(if mirrored { -x } else { x }));
+            particles.inverse_mass[place] = S::from_f64([1.0, 0.5, 2.0][k % 3]);
+        }
+        for column in [0, W - 1] {
+            particles.inverse_mass[Node { column, row: 0 }] = S::ZERO;
+        }
+        particles
+    }
+
+    fn with_chain<S: Scalar, const W: usize, const H: usize, T>(
+        particles: &mut Particles<S, W, H>,
+        act: impl FnOnce(&Chain<'_, S, W, H>, &mut Particles<S, W, H>) -> T,
+    ) -> T {
+        let ordinary = Ordinary::new(particles);
+        let (heavy, span) = Heavy::new(particles, &ordinary.rows);
+        let rest = Rest::spanning(S::ONE, S::ONE);
+        let strength = Quotient { dividend: S::ONE, divisor: S::from_f64(1e-3) };
+        let (moment, rounding) = (MOMENT, MOMENT.rounding());
+        act(&Chain { rest: &rest, strength, moment, rounding, ordinary: &ordinary, heavy, span }, particles)
+    }
+
+    fn both_ways<const W: usize, const H: usize>() {
+        let run = |at_once: bool| {
+            let mut particles = crumpled::<f32, W, H>(false);
+            let mut tension = [Grid::filled(0.0); 2];
+            with_chain(&mut particles, |chain, particles| {
+                for _ in 0..3 {
+                    for (colour, tension) in tension.iter_mut().enumerate() {
+                        if at_once {
+                            chain.diagonals_at_once(particles, colour, tension);
+                        } else {
+                            chain.diagonals_one_by_one(particles, colour, tension);
+                        }
+                    }
+                }
+            });
+            (particles, tension)
+        };
+        assert!(run(true) == run(false), "{W} × {H}");
+    }
+
+    #[test]
+    fn machines_that_compute_several_numbers_at_once_find_the_same_bits() {
+        both_ways::<8, 6>();
+        both_ways::<9, 7>();
+        both_ways::<6, 12>();
+        both_ways::<2, 5>();
+        both_ways::<3, 2>();
+    }
+
+    #[test]
+    fn a_mirrored_sheet_is_solved_as_the_mirror_image() {
+        fn run<const W: usize, const H: usize>(mirrored: bool) -> Particles<f64, W, H> {
+            let mut particles = crumpled::<f64, W, H>(mirrored);
+            let [mut black, mut white] = [Grid::filled(0.0); 2];
+            with_chain(&mut particles, |chain, particles| {
+                chain.diagonals(particles, [&mut black, &mut white]);
+            });
+            particles
+        }
+        let [plain, mirrored] = [false, true].map(run::<8, 6>);
+        for node in Grid::<f64, 8, 6>::nodes() {
+            let Vec3 { x, y, z } = mirrored.position.at(Node { column: 7 - node.column, ..node });
+            assert_eq!(plain.position.at(node), Vec3::new(-x, y, z), "{node:?}");
+        }
+    }
+
+    /// The largest strain of the links along diagonals of one colour.
+    fn strain<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, colour: usize) -> f64 {
+        let mut largest = 0.0_f64;
+        each_diagonal::<W, H>(colour, |place| {
+            for k in 0..place.count - 1 {
+                let [a, b] = [k, k + 1].map(|k| Node { column: place.column(k), row: place.top + k });
+                let length = (particles.position.at(b) - particles.position.at(a)).length().to_f64();
+                largest = largest.max((length / core::f64::consts::SQRT_2 - 1.0).abs());
+            }
+        });
+        largest
+    }
+
+    #[test]
+    fn diagonals_of_a_colour_are_solved_at_once() {
+        fn check<S: Scalar>() {
+            let mut particles = crumpled::<S, 7, 9>(false);
+            let mut tension = [Grid::filled(S::ZERO); 2];
+            with_chain(&mut particles, |chain, particles| {
+                let before = strain(particles, 1);
+                for _ in 0..4 {
+                    let [black, white] = &mut tension;
+                    chain.diagonals(particles, [black, white]);
+                }
+                // the last ones; what the first pass left is that links turn
+                let after = strain(particles, 1);
+                assert!(before > 0.1 && after < 0.01, "{}: {before} {after}", S::NAME);
+            });
+        }
+        check::<f32>();
+        check::<f64>();
+        check::<Q24>();
+        check::<Q13>();
+    }
+
+    #[test]
+    fn every_diagonal_is_visited_once() {
+        fn check<const W: usize, const H: usize>() {
+            let mut visits = [[[0; W]; H]; 2];
+            for colour in 0..2 {
+                each_diagonal::<W, H>(colour, |place| {
+                    for k in 0..place.count - 1 {
+                        visits[usize::from(place.slant > 0)][place.top + k][place.column(k)] += 1;
+                    }
+                });
+            }
+            for (slant, row, column) in (0..2).flat_map(|s| (0..H).flat_map(move |r| (0..W).map(move |c| (s, r, c)))) {
+                let is_there = row + 1 < H && if slant == 1 { column + 1 < W } else { column > 0 };
+                assert_eq!(visits[slant][row][column], u32::from(is_there), "{slant} {row} {column} of {W} × {H}");
+            }
+        }
+        check::<5, 8>();
+        check::<8, 5>();
+        check::<2, 2>();
+        check::<1, 3>();
+        check::<3, 1>();
+    }
+}
