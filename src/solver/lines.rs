@@ -178,8 +178,9 @@ impl<const N: usize> Lines<N> {
         moment: Moment,
         split: u32,
     ) -> Outcome<S> {
-        let [least_sweeps, most_sweeps] = [self.sweeps, self.most_sweeps].map(|sweeps| (sweeps >> split).max(1));
-        let most_sweeps = most_sweeps.min(PATIENCE).max(least_sweeps);
+        let most_sweeps = (self.most_sweeps >> split).max(1);
+        let least_sweeps = self.sweeps.clamp(1, most_sweeps);
+        let patience = most_sweeps.min(PATIENCE).max(least_sweeps);
         let first_order = memory.history == History::Rough;
         // what friction looks back to
         let start = physics.colliders.is_present().then_some(particles.position);
@@ -213,7 +214,7 @@ impl<const N: usize> Lines<N> {
         let tolerance = S::from_f64(self.tolerance);
         let (mut before, mut met) = (S::ZERO, relax.sweep(physics.links, true));
         let (mut sweeps, least) = (1, least_sweeps.max(memory.flicker.kept()));
-        while sweeps < most_sweeps && (sweeps < least || met > tolerance) {
+        while sweeps < if met > S::ONE { most_sweeps } else { patience } && (sweeps < least || met > tolerance) {
             if let Some(start) = &start {
                 // between the sweeps, so that links answer to what a collider does to them
                 contact::resolve(physics.colliders, relax.particles, start, &mut memory.earlier, moment, true);
@@ -237,7 +238,8 @@ impl<const N: usize> Lines<N> {
             pull.complete(physics.links, particles, started, axes, share);
         }
         memory.history = if met > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
-        Outcome { residual: met, few: sweeps <= least_sweeps }
+        // what is torn comes together by sweeps: shorter steps would throw it
+        Outcome { residual: if met > S::ONE { S::ZERO } else { met }, few: sweeps <= least_sweeps }
     }
 }
 

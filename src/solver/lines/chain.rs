@@ -396,7 +396,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     ) -> S {
         let mut residual = [S::ZERO; H];
         residual.iter_mut().zip(links).for_each(|(residual, link)| *residual = link.change[lane]);
-        held_back(&residual, &self.inverse_masses(particles, place, lane, heavy), place.count)
+        held_back(&residual, &Self::inverse_masses(particles, place, lane, heavy), place.count)
     }
 
     /// Eases one of some chains.
@@ -418,7 +418,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         self.ease(particles, place, lane, (&normal, &change), heavy);
     }
 
-    fn inverse_masses(&self, particles: &Particles<S, W, H>, place: Place, lane: usize, heavy: Heavy) -> [S; H] {
+    fn inverse_masses(particles: &Particles<S, W, H>, place: Place, lane: usize, heavy: Heavy) -> [S; H] {
         core::array::from_fn(|k| {
             if k < place.count {
                 heavy.scaled(particles.inverse_mass.0[place.top + k][place.column(k) + lane])
@@ -439,7 +439,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         heavy: Heavy,
     ) {
         let tension = changes.map(|change| self.strength.times_dividend(change));
-        let w = self.inverse_masses(particles, place, lane, heavy);
+        let w = Self::inverse_masses(particles, place, lane, heavy);
         let by = ease(normal, &tension, &w, place.count, self.rest.inverse, heavy);
         for k in 0..place.count {
             let (row, column) = (place.top + k, place.column(k) + lane);

@@ -47,7 +47,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             let [x, y] = [row - 1, row].map(|row| &particles.position.0[row]);
             let [u, v] = [row - 1, row].map(|row| &particles.inverse_mass.0[row]);
             let tension = &tension.0[row - 1];
-            let row = if (row - 1 + colour) % 2 == 0 {
+            let row = if (row + colour) % 2 == 1 {
                 self.eliminate::<0>(&mut above, [x, y], [u, v], tension)
             } else {
                 self.eliminate::<1>(&mut above, [x, y], [u, v], tension)
@@ -58,7 +58,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut below = Below { change: [S::ZERO; W], pull: Vec3::row(Vec3::ZERO), most: [S::ZERO; W] };
         for (row, links) in (1..H).zip(&mut links).rev() {
             let tension = &mut tension.0[row - 1];
-            let by = if (row - 1 + colour) % 2 == 0 {
+            let by = if (row + colour) % 2 == 1 {
                 self.substitute::<0>(&mut below, &factor, links, tension)
             } else {
                 self.substitute::<1>(&mut below, &factor, links, tension)
@@ -135,7 +135,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             links.change[lane] = change;
             below.change[lane] = change;
             below.most[lane] = below.most[lane].max(change);
-            tension[lane] = tension[lane] + change;
+            tension[lane] += change;
             pull.set(lane, links.normal.at(lane).of_length(self.strength.times_dividend(change), self.rounding));
         }
         let above = pull.components(crossed::<PARITY, S, W>);
