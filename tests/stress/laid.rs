@@ -128,7 +128,7 @@ fn more_sweeps_strain_less() {
 
 #[test]
 fn sheets_come_to_lie_where_finer_steps_leave_them() {
-    let depth = |substeps| run::<f32, 32>(&Sheet { substeps, seconds: 8.0, ..FIRM }, Lines::new()).depth;
+    let depth = |substeps| run::<f32, 32>(&Sheet { substeps, seconds: 6.0, ..FIRM }, Lines::new()).depth;
     let fine = depth(4);
     for substeps in [1, 2] {
         let found = depth(substeps);

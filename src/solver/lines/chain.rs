@@ -200,14 +200,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             most = most.max(change[k]);
         }
         if self.is_taut(most, heavy) {
-            let by = ease(
-                &normal,
-                &change.map(|change| self.strength.times_dividend(change)),
-                &w,
-                W,
-                self.rest.inverse,
-                heavy,
-            );
+            let tension = change.map(|change| self.strength.times_dividend(change));
+            let by = ease(&normal, &tension, &w, W, self.rest.inverse, heavy);
             displace_row(particles, row, |k| by.at(k), self.moment);
         }
         worst
@@ -319,7 +313,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             _ = links.push(link); // there is room for all
         }
         let divisor = (0..N).fold(S::ZERO, |divisor, lane| {
-            let added = || self.held_back(&links, particles, place, lane, heavy);
+            let added = || Self::held_back(&links, particles, place, lane, heavy);
             divisor.max(self.divisor::<ORDINARY, H>(worst, added))
         });
         let is_held_back = divisor > heavy.scaled(self.strength.divisor);
@@ -387,7 +381,6 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     #[cold]
     #[inline(never)]
     fn held_back<const N: usize>(
-        &self,
         links: &[Link<S, N>],
         particles: &Particles<S, W, H>,
         place: Place,
