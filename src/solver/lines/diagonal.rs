@@ -5,9 +5,9 @@
 //! board is: the diagonals through black cells share no particle with one another, and those through white ones don't either. So both kinds of one colour are solved at
 //! once, then those of the other; for even widths a mirror maps each colour to itself.
 //!
-//! A multiplier is kept in the grid of its cell's colour, at the link's upper particle. In every row the links of a colour join neighbours in pairs to the pair below, crosswise:
-//! a row's partners are the row below with the two of each pair [swapped]. Machines that compute several numbers at once eliminate down the rows, all diagonals side
-//! by side; others take one diagonal after the other, which needs no grids to work in.
+//! A multiplier is kept in the grid of its cell's colour, at the link's upper particle. In every row the links of a colour join two neighbours and the two below them, crosswise: their lower ends
+//! are the row below with the two of each pair [exchanged](crossed). Machines that compute several numbers at once eliminate down the rows, all diagonals of a colour side by side, which
+//! takes five numbers a particle on the stack (80 KB for 64 × 64 in `f32`); others take one diagonal after the other, in five numbers a row. Both find the same bits.
 
 use heapless::Vec;
 
