@@ -11,7 +11,7 @@
 //! | [`Verlet`] | 1 | any h | K sweeps | the thesis' method |
 //! | [`Xpbd`] | 1 | any h | one sweep | stiff sheets, small code |
 //! | [`BackwardEuler`] | 1 | any h | conjugate gradients | few large steps |
-//! | [`Lines`] | 2 | any h | two sweeps, more where the sheet snaps taut | sheets that hardly stretch |
+//! | [`Lines`] | 2 | any h | two sweeps, more and shorter steps where the sheet snaps taut | sheets that hardly stretch |
 
 mod backward_euler;
 mod force_sum;
