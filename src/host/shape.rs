@@ -13,6 +13,7 @@ macro_rules! for_each_shape {
     };
 }
 
+#[cfg(feature = "graphics")]
 pub(super) use for_each_shape;
 
 macro_rules! list {
