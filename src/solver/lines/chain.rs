@@ -261,7 +261,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     ) -> S {
         let mut unsolved = S::ZERO;
         each_diagonal::<W, H>(colour, |place| {
-            let inverse_mass = |k: usize| particles.inverse_mass.0[place.top + k][place.column(k)];
+            let inverse_mass = |k: usize| particles.inverse_mass.0[place.row::<H>(k)][place.column::<1, W>(k)];
             let ordinary = (0..place.count).all(|k| inverse_mass(k) == S::ONE);
             unsolved = unsolved.max(self.one(particles, place, tension, ordinary));
         });
@@ -298,12 +298,13 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut links = Vec::<Link<S, N>, H>::new();
         let mut worst = S::ZERO;
         for k in 0..count.saturating_sub(1) {
-            let [x, y] = [&particles.position.0[top + k], &particles.position.0[top + k + 1]];
+            let (above, below) = (place.row::<H>(k), place.row::<H>(k + 1));
+            let [x, y] = [&particles.position.0[above], &particles.position.0[below]];
             let mut link = Link { normal: Vec3::row(Vec3::ZERO), change: [S::ZERO; N], factor: [S::ZERO; N] };
             for lane in 0..N {
-                let [here, next] = [k, k + 1].map(|k| place.column(k) + lane);
+                let [here, next] = [place.column::<N, W>(k) + lane, place.column::<N, W>(k + 1) + lane];
                 let (excess, normal) = (y.at(next) - x.at(here)).direction(self.rest);
-                let residual = excess - heavy.scaled(self.strength.times_divisor(tension.0[top + k][here]));
+                let residual = excess - heavy.scaled(self.strength.times_divisor(tension.0[above][here]));
                 if !S::FLOATS {
                     worst = worst.max(residual.abs());
                 }
@@ -320,14 +321,15 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut above = [Eliminated::NONE; N];
         let mut before = Vec3::<[S; N]>::row(Vec3::ZERO);
         for (k, link) in links.iter_mut().enumerate() {
-            let [u, v] = [&particles.inverse_mass.0[top + k], &particles.inverse_mass.0[top + k + 1]];
+            let [u, v] =
+                [&particles.inverse_mass.0[place.row::<H>(k)], &particles.inverse_mass.0[place.row::<H>(k + 1)]];
             for lane in 0..N {
                 let coupling = before.at(lane).cosine(link.normal.at(lane)).scaled(dividend);
                 let (coupling, inverse_mass) = if ORDINARY {
                     (coupling, S::ONE + S::ONE)
                 } else {
-                    let here = heavy.scaled(u[place.column(k) + lane]);
-                    let next = heavy.scaled(v[place.column(k + 1) + lane]);
+                    let here = heavy.scaled(u[place.column::<N, W>(k) + lane]);
+                    let next = heavy.scaled(v[place.column::<N, W>(k + 1) + lane]);
                     (coupling * here, here + next)
                 };
                 let diagonal = inverse_mass * own + divisor;
@@ -339,17 +341,17 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let [mut change, mut factor, mut most] = [[S::ZERO; N]; 3];
         let mut below = Vec3::<[S; N]>::row(Vec3::ZERO);
         let displace = |particles: &mut Particles<S, W, H>, k: usize, by: Vec3<[S; N]>| {
-            let row = top + k;
+            let row = place.row::<H>(k);
             let w = &particles.inverse_mass.0[row];
             let (x, v) = (&mut particles.position.0[row], &mut particles.velocity.0[row]);
             for lane in 0..N {
-                let column = place.column(k) + lane;
+                let column = place.column::<N, W>(k) + lane;
                 let by = by.at(lane);
                 displace(x, v, column, if ORDINARY { by } else { by * heavy.scaled(w[column]) }, self.moment);
             }
         };
         for (k, link) in links.iter_mut().enumerate().rev() {
-            let tension = &mut tension.0[top + k];
+            let tension = &mut tension.0[place.row::<H>(k)];
             let (mut pull, mut by) = (below, below);
             for lane in 0..N {
                 change[lane] = link.change[lane] + times::<ORDINARY, S>(change[lane], factor[lane]);
@@ -362,7 +364,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 by.set(lane, below.at(lane) - pull.at(lane));
             }
             for lane in 0..N {
-                let column = place.column(k) + lane;
+                let column = place.column::<N, W>(k) + lane;
                 tension[column] = tension[column].difference(-change[lane]); // does not wrap
             }
             displace(particles, k + 1, by);
@@ -387,6 +389,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         lane: usize,
         heavy: Heavy,
     ) -> S {
+        let lane = lane.min(N - 1);
         let mut residual = [S::ZERO; H];
         residual.iter_mut().zip(links).for_each(|(residual, link)| *residual = link.change[lane]);
         held_back(&residual, &Self::inverse_masses(particles, place, lane, heavy), place.count)
@@ -402,6 +405,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         lane: usize,
         heavy: Heavy,
     ) {
+        let lane = lane.min(N - 1);
         let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
         let mut change = [S::ZERO; H];
         for (k, link) in links.iter().enumerate().take(H) {
@@ -414,7 +418,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     fn inverse_masses(particles: &Particles<S, W, H>, place: Place, lane: usize, heavy: Heavy) -> [S; H] {
         core::array::from_fn(|k| {
             if k < place.count {
-                heavy.scaled(particles.inverse_mass.0[place.top + k][place.column(k) + lane])
+                heavy.scaled(particles.inverse_mass.0[place.row::<H>(k)][(place.column::<1, W>(k) + lane).min(W - 1)])
             } else {
                 S::ZERO
             }
@@ -434,8 +438,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let tension = changes.map(|change| self.strength.times_dividend(change));
         let w = Self::inverse_masses(particles, place, lane, heavy);
         let by = ease(normal, &tension, &w, place.count, self.rest.inverse, heavy);
-        for k in 0..place.count {
-            let (row, column) = (place.top + k, place.column(k) + lane);
+        for k in 0..place.count.min(H) {
+            let (row, column) = (place.row::<H>(k), (place.column::<1, W>(k) + lane).min(W - 1));
             displace(&mut particles.position.0[row], &mut particles.velocity.0[row], column, by.at(k), self.moment);
         }
     }
@@ -460,9 +464,15 @@ pub(super) struct Place {
 }
 
 impl Place {
-    /// The column of the chain's particle `k`.
+    /// The row of the chain's particle `k`; within the grid for a compiler to see, so that no bound is looked up.
     #[inline(always)]
-    pub(super) fn column(self, k: usize) -> usize {
-        self.first.wrapping_add_signed(self.slant * k as isize)
+    pub(super) fn row<const H: usize>(self, k: usize) -> usize {
+        (self.top + k).min(H - 1)
+    }
+
+    /// The column of the chain's particle `k`, likewise; `N` chains lie side by side.
+    #[inline(always)]
+    pub(super) fn column<const N: usize, const W: usize>(self, k: usize) -> usize {
+        self.first.wrapping_add_signed(self.slant * k as isize).min(W.saturating_sub(N))
     }
 }

@@ -162,7 +162,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             let mut change = [S::ZERO; H];
             let mut most = S::ZERO;
             for k in 0..place.count - 1 {
-                let (links, lane) = (&links[place.top + k], place.column(k));
+                let (links, lane) = (&links[place.top + k], place.column::<1, W>(k));
                 normal.set(k, links.normal.at(lane));
                 change[k] = links.change[lane];
                 most = most.max(change[k]);
@@ -331,7 +331,7 @@ mod tests {
         let mut largest = 0.0_f64;
         each_diagonal::<W, H>(colour, |place| {
             for k in 0..place.count - 1 {
-                let [a, b] = [k, k + 1].map(|k| Node { column: place.column(k), row: place.top + k });
+                let [a, b] = [k, k + 1].map(|k| Node { column: place.column::<1, W>(k), row: place.top + k });
                 let length = (particles.position.at(b) - particles.position.at(a)).length().to_f64();
                 largest = largest.max((length / core::f64::consts::SQRT_2 - 1.0).abs());
             }
@@ -368,7 +368,7 @@ mod tests {
             for colour in 0..2 {
                 each_diagonal::<W, H>(colour, |place| {
                     for k in 0..place.count - 1 {
-                        visits[usize::from(place.slant > 0)][place.top + k][place.column(k)] += 1;
+                        visits[usize::from(place.slant > 0)][place.top + k][place.column::<1, W>(k)] += 1;
                     }
                 });
             }

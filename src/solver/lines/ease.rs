@@ -59,9 +59,12 @@ pub(super) fn ease<S: Scalar, const M: usize>(
         factor[k] = f;
         (pull, direction, a) = (next, after, b);
     }
-    for k in (0..count.saturating_sub(1)).rev() {
-        let next = by.at(k + 1);
-        by.add(k, next * factor[k]);
+    // counted to M, a compiler sees that nothing is out of bounds
+    for k in (0..M.saturating_sub(1)).rev() {
+        if k + 1 < count {
+            let next = by.at(k + 1);
+            by.add(k, next * factor[k]);
+        }
     }
     for k in 0..count {
         by.set(k, by.at(k) - across.at(k));

@@ -18,21 +18,30 @@ pub(super) fn harmless<S: Scalar, const M: usize>(span: S) -> S {
     span * S::from_f64(const { 2.0 * RANGE / (M * M) as f64 })
 }
 
-/// What is added to the diagonal of a chain of `count` particles with these residuals and inverse masses, in the unit of multipliers. Its last residual is none.
+/// What is added to the diagonal of a chain of `count` particles with these residuals and inverse masses, in the unit of multipliers. Its last residual is
+/// none, and so is what stands behind it.
 #[cold]
 #[inline(never)]
 pub(super) fn held_back<S: Scalar, const M: usize>(residual: &[S; M], inverse_mass: &[S; M], count: usize) -> S {
-    let count = count.min(M);
     let saturating = |a: S, b: S| a.difference(-b);
-    let mass = inverse_mass
-        .map(|w| if w < S::ONE.halve(2 + SIXTEEN) { S::from_f64(S::LARGEST) } else { w.recip().halve(SIXTEEN) });
+    // beyond the chain's end nothing has a mass
+    let mass: [S; M] = core::array::from_fn(|k| {
+        let w = inverse_mass[k];
+        if k >= count {
+            S::ZERO
+        } else if w < S::ONE.halve(2 + SIXTEEN) {
+            S::from_f64(S::LARGEST)
+        } else {
+            w.recip().halve(SIXTEEN)
+        }
+    });
     let mut before = mass;
-    for k in 1..count {
+    for k in 1..M {
         before[k] = saturating(before[k - 1], mass[k]);
     }
     let [mut after, mut multiplier, mut worst] = [S::ZERO; 3];
     let mut most = S::ONE;
-    for k in (1..count).rev() {
+    for k in (1..M).rev() {
         let [here, next] = [inverse_mass[k - 1], inverse_mass[k]];
         after = saturating(after, mass[k]);
         most = most.max(here).max(next);
