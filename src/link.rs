@@ -16,7 +16,7 @@ use crate::units::Strength;
 
 pub use limit::StrainLimited;
 pub use order::each;
-pub(crate) use order::{Offset, OneByOne, each_row, fits, in_row, one_by_one};
+pub(crate) use order::{OneByOne, Order, each_row, fits, in_row, one_by_one};
 pub use spring::{Bend, Damped, Shear, Stretch};
 pub use tether::Tether;
 

@@ -1,7 +1,7 @@
 //! What can be read off a sheet: strain, energy, momentum, bounds, digest. Nothing here changes it.
 
 use crate::grid::Grid;
-use crate::link::{Family, Links, Offset, OneByOne, Visitor, one_by_one};
+use crate::link::{Family, Links, OneByOne, Order, Visitor, one_by_one};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::Units;
@@ -37,14 +37,14 @@ struct Meter<'a, S: Scalar, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Meter<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+        one_by_one::<S, ACROSS, DOWN>(self, family);
     }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Meter<'_, S, W, H> {
     #[inline(always)]
-    fn links(&mut self, family: &Family<S>, offset: Offset) {
-        offset.each::<W, H>(|a, b| {
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
+        order.each::<W, H>(|a, b| {
             let length = (self.particles.position.at(b) - self.particles.position.at(a)).length();
             let strain = (length - family.rest.length).divide(family.rest.length).abs();
             self.largest = self.largest.max(strain);
@@ -82,15 +82,15 @@ pub fn elastic_energy<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Store<'_, S, W, H> {
         #[inline]
         fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-            one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+            one_by_one::<S, ACROSS, DOWN>(self, family);
         }
     }
 
     impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Store<'_, S, W, H> {
         #[inline(always)]
-        fn links(&mut self, family: &Family<S>, offset: Offset) {
+        fn links(&mut self, family: &Family<S>, order: impl Order) {
             let strength = family.strength.dividend.to_f64() / family.strength.divisor.to_f64();
-            offset.each::<W, H>(|a, b| {
+            order.each::<W, H>(|a, b| {
                 let d = (self.particles.position.at(b) - self.particles.position.at(a)).to_f64();
                 let elongation = libm::sqrt(dot(d, d)) - family.rest.length.to_f64();
                 self.energy += 0.5 * strength * elongation * elongation;

@@ -4,7 +4,7 @@
 use core::cmp::Ordering;
 
 use crate::fingerprint::Fingerprint;
-use crate::link::{Family, Links, Offset, OneByOne, Visitor, one_by_one};
+use crate::link::{Family, Links, OneByOne, Order, Visitor, one_by_one};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -70,18 +70,18 @@ struct Shorten<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Shorten<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+        one_by_one::<S, ACROSS, DOWN>(self, family);
     }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Shorten<'_, S, W, H> {
     #[inline(always)]
-    fn links(&mut self, family: &Family<S>, offset: Offset) {
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
         let longest = family.rest.length * self.allowed;
         // a little shorter than allowed, so that sweeps come to an end
         let target = longest - longest.halve(10);
         let square = longest.product(longest);
-        offset.each::<W, H>(|a, b| {
+        order.each::<W, H>(|a, b| {
             let d = self.particles.position.at(b) - self.particles.position.at(a);
             let squared = d.squared();
             // an edge that is undefined is no longer than anything

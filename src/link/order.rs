@@ -10,38 +10,77 @@ use crate::grid::Node;
 /// sweeping from left to right would lean to one side.
 #[inline]
 pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usize>(visit: impl FnMut(Node, Node)) {
-    const { assert!(ACROSS + DOWN > 0, "a link needs two particles") };
-    Offset::of::<ACROSS, DOWN>().each::<W, H>(visit);
+    Known::<ACROSS, DOWN>.each::<W, H>(visit);
+}
+
+/// The links of a family in the order of [`each`].
+pub(crate) trait Order: Copy {
+    /// How many columns and rows the ends of a link are apart.
+    fn offset(self) -> [usize; 2];
+
+    /// Calls `visit` as [`each`] does.
+    fn each<const W: usize, const H: usize>(self, visit: impl FnMut(Node, Node));
 }
 
 /// Does something with the links of a family, whichever it is.
 pub(crate) trait OneByOne<S> {
-    fn links(&mut self, family: &Family<S>, offset: Offset);
+    fn links(&mut self, family: &Family<S>, order: impl Order);
 }
 
-/// Lets `visitor` do what it does. Host programs compile dozens of grids: there it is one piece of code for all families. A board has one grid, and each family gets its own, whose
-/// offsets the compiler knows: a third faster for leapfrog on a Cortex-M3.
-#[cfg_attr(feature = "std", inline(never))]
-#[cfg_attr(not(feature = "std"), inline(always))]
-pub(crate) fn one_by_one<S>(visitor: &mut impl OneByOne<S>, family: &Family<S>, offset: Offset) {
+/// Lets `visitor` do what it does. A board has one grid, and each family gets a piece of code of its own, whose offsets the compiler knows: a third faster for leapfrog on a Cortex-M3
+/// than one for all families. Programs with scene files (`std`) have dozens of grids, and compile one for all.
+#[inline(always)]
+pub(crate) fn one_by_one<S, const ACROSS: usize, const DOWN: usize>(
+    visitor: &mut impl OneByOne<S>,
+    family: &Family<S>,
+) {
+    if cfg!(feature = "std") {
+        for_all_families(visitor, family, Offset { across: ACROSS, down: DOWN });
+    } else {
+        visitor.links(family, Known::<ACROSS, DOWN>);
+    }
+}
+
+#[inline(never)]
+fn for_all_families<S>(visitor: &mut impl OneByOne<S>, family: &Family<S>, offset: Offset) {
     visitor.links(family, offset);
 }
 
-/// How far apart the ends of a family's links are.
+/// An offset that is known when this is compiled.
 #[derive(Clone, Copy)]
-pub(crate) struct Offset {
-    pub(crate) across: usize,
-    pub(crate) down: usize,
-}
+struct Known<const ACROSS: usize, const DOWN: usize>;
 
-impl Offset {
-    pub(crate) const fn of<const ACROSS: usize, const DOWN: usize>() -> Self {
-        Self { across: ACROSS, down: DOWN }
+impl<const ACROSS: usize, const DOWN: usize> Order for Known<ACROSS, DOWN> {
+    #[inline(always)]
+    fn offset(self) -> [usize; 2] {
+        [ACROSS, DOWN]
     }
 
-    /// Calls `visit` as [`each`] does.
     #[inline(always)]
-    pub(crate) fn each<const W: usize, const H: usize>(self, mut visit: impl FnMut(Node, Node)) {
+    fn each<const W: usize, const H: usize>(self, mut visit: impl FnMut(Node, Node)) {
+        each_row::<DOWN, H>(|row| {
+            in_row::<ACROSS, DOWN, W>(|a, b| {
+                visit(Node { column: a, row }, Node { column: b, row: row + DOWN });
+            });
+        });
+    }
+}
+
+/// An offset that is known when a program runs.
+#[derive(Clone, Copy)]
+struct Offset {
+    across: usize,
+    down: usize,
+}
+
+impl Order for Offset {
+    #[inline(always)]
+    fn offset(self) -> [usize; 2] {
+        [self.across, self.down]
+    }
+
+    #[inline(always)]
+    fn each<const W: usize, const H: usize>(self, mut visit: impl FnMut(Node, Node)) {
         let diagonals = if self.across > 0 && self.down > 0 { 2 } else { 1 };
         in_colours(self.down, H, |row, below| {
             in_colours(self.across, W, |column, right| {
@@ -139,6 +178,22 @@ mod tests {
         let mut links = Vec::new();
         each::<ACROSS, DOWN, 8, 5>(|a, b| links.push((a, b)));
         links
+    }
+
+    #[test]
+    fn an_offset_that_is_known_later_is_visited_in_the_same_order() {
+        fn check<const ACROSS: usize, const DOWN: usize>() {
+            let (mut now, mut later) = (Vec::new(), Vec::new());
+            each::<ACROSS, DOWN, 8, 5>(|a, b| now.push((a, b)));
+            Offset { across: ACROSS, down: DOWN }.each::<8, 5>(|a, b| later.push((a, b)));
+            assert_eq!(now, later, "{ACROSS}, {DOWN}");
+        }
+        check::<1, 0>();
+        check::<0, 1>();
+        check::<1, 1>();
+        check::<2, 0>();
+        check::<0, 2>();
+        check::<3, 2>();
     }
 
     #[test]

@@ -16,7 +16,7 @@ mod gradients;
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::{Grid, Node, each_node};
-use crate::link::{Family, Links, Offset, OneByOne, Visitor, fits, one_by_one};
+use crate::link::{Family, Links, OneByOne, Order, Visitor, fits, one_by_one};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -197,15 +197,15 @@ struct Pull<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Pull<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+        one_by_one::<S, ACROSS, DOWN>(self, family);
     }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Pull<'_, S, W, H> {
     #[inline(always)]
-    fn links(&mut self, family: &Family<S>, offset: Offset) {
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
         let stiffness = self.system.stiffness(family);
-        offset.each::<W, H>(|a, b| {
+        order.each::<W, H>(|a, b| {
             let d = self.particles.position.at(b) - self.particles.position.at(a);
             let pull = d * (S::elongation(d.squared(), &family.rest) * stiffness);
             self.residual.add(a, pull);
@@ -225,15 +225,15 @@ struct Brake<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+        one_by_one::<S, ACROSS, DOWN>(self, family);
     }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Brake<'_, S, W, H> {
     #[inline(always)]
-    fn links(&mut self, family: &Family<S>, offset: Offset) {
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
         let damping = self.system.stiffness(family);
-        offset.each::<W, H>(|a, b| {
+        order.each::<W, H>(|a, b| {
             let pull = (self.particles.velocity.at(b) - self.particles.velocity.at(a)).halve(self.shift) * damping;
             self.residual.add(a, pull);
             self.residual.add(b, -pull);
@@ -252,16 +252,16 @@ struct Stiffness<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Stiffness<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+        one_by_one::<S, ACROSS, DOWN>(self, family);
     }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Stiffness<'_, S, W, H> {
     #[inline(always)]
-    fn links(&mut self, family: &Family<S>, offset: Offset) {
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
         let stiffness = self.system.stiffness(family);
         let inverse_length = family.rest.inverse;
-        offset.each::<W, H>(|a, b| {
+        order.each::<W, H>(|a, b| {
             let d = self.particles.position.at(b) - self.particles.position.at(a);
             let elongation = S::elongation(d.squared(), &family.rest);
             let normal = d * ((S::ONE - elongation) * inverse_length);
@@ -285,15 +285,15 @@ struct Viscosity<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Viscosity<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+        one_by_one::<S, ACROSS, DOWN>(self, family);
     }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Viscosity<'_, S, W, H> {
     #[inline(always)]
-    fn links(&mut self, family: &Family<S>, offset: Offset) {
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
         let damping = self.system.stiffness(family);
-        offset.each::<W, H>(|a, b| {
+        order.each::<W, H>(|a, b| {
             let pull = (self.direction.at(b) - self.direction.at(a)) * damping;
             self.product.add(a, -pull);
             self.product.add(b, pull);

@@ -2,7 +2,7 @@
 
 use crate::force::Force;
 use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, Offset, OneByOne, Visitor, one_by_one};
+use crate::link::{Family, Links, OneByOne, Order, Visitor, one_by_one};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::predict::field;
@@ -46,15 +46,15 @@ struct Springs<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Springs<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+        one_by_one::<S, ACROSS, DOWN>(self, family);
     }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Springs<'_, S, W, H> {
     #[inline(always)]
-    fn links(&mut self, family: &Family<S>, offset: Offset) {
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
         let stiffness = family.strength.value();
-        offset.each::<W, H>(|a, b| {
+        order.each::<W, H>(|a, b| {
             let d = self.particles.position.at(b) - self.particles.position.at(a);
             let pull = d * (S::elongation(d.squared(), &family.rest) * stiffness);
             exchange(self.gain, a, b, pull.double(self.shift));
@@ -70,15 +70,15 @@ struct Dampers<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Dampers<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+        one_by_one::<S, ACROSS, DOWN>(self, family);
     }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Dampers<'_, S, W, H> {
     #[inline(always)]
-    fn links(&mut self, family: &Family<S>, offset: Offset) {
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
         let damping = family.strength.value();
-        offset.each::<W, H>(|a, b| {
+        order.each::<W, H>(|a, b| {
             exchange(self.gain, a, b, (self.particles.velocity.at(b) - self.particles.velocity.at(a)) * damping);
         });
     }

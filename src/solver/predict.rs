@@ -2,7 +2,7 @@
 
 use crate::force::{Force, Row};
 use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, Offset, OneByOne, Visitor, one_by_one};
+use crate::link::{Family, Links, OneByOne, Order, Visitor, one_by_one};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
@@ -91,14 +91,14 @@ struct Damp<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Damp<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+        one_by_one::<S, ACROSS, DOWN>(self, family);
     }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Damp<'_, S, W, H> {
     #[inline(always)]
-    fn links(&mut self, family: &Family<S>, offset: Offset) {
-        offset.each::<W, H>(|a, b| {
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
+        order.each::<W, H>(|a, b| {
             let (wa, wb) = (self.particles.inverse_mass[a], self.particles.inverse_mass[b]);
             let by = (self.particles.velocity.at(b) - self.particles.velocity.at(a)) * family.strength.against(wa + wb);
             self.particles.velocity.add(a, by * wa);

@@ -7,7 +7,7 @@
 //! they are to others, so that passes for what is left over converge. Three make the error of third order in κ.
 
 use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, Offset, OneByOne, Quotient, Visitor, fits, one_by_one};
+use crate::link::{Family, Links, OneByOne, Order, Quotient, Visitor, fits, one_by_one};
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
@@ -77,14 +77,15 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Sum<'_, S, W, H> 
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         if fits::<ACROSS, DOWN, W, H>() {
-            one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+            one_by_one::<S, ACROSS, DOWN>(self, family);
         }
     }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Sum<'_, S, W, H> {
     #[inline(always)]
-    fn links(&mut self, family: &Family<S>, Offset { across, down }: Offset) {
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
+        let [across, down] = order.offset();
         let axes = self.axes.get_or_insert_with(|| Axes {
             response: self.response,
             weakest: weakest(self.inverse_mass.0.as_flattened()),
@@ -114,16 +115,16 @@ struct Brake<'a, S, const W: usize, const H: usize> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Brake<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        one_by_one(self, family, Offset::of::<ACROSS, DOWN>());
+        one_by_one::<S, ACROSS, DOWN>(self, family);
     }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Brake<'_, S, W, H> {
     #[inline(always)]
-    fn links(&mut self, family: &Family<S>, offset: Offset) {
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
         let Quotient { dividend, divisor } = self.axes.strength(family);
         let strength = dividend.halve(self.shift).divide(divisor);
-        offset.each::<W, H>(|a, b| {
+        order.each::<W, H>(|a, b| {
             let by = (self.velocity.at(b) - self.velocity.at(a)) * strength;
             self.rest.add(a, by * self.inverse_mass[a]);
             self.rest.add(b, -(by * self.inverse_mass[b]));
