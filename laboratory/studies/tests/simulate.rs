@@ -43,8 +43,10 @@ frames = 10
 fn program() -> Command {
     static PATH: OnceLock<PathBuf> = OnceLock::new();
     let build = || {
+        // with the packages that `tests/run host` names, so that what it has built is what this needs
         escargot::CargoBuild::new()
-            .manifest_path(concat!(env!("CARGO_MANIFEST_DIR"), "/../instances/Cargo.toml"))
+            .manifest_path(concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml"))
+            .args(["-p", "instances", "-p", "laboratory", "-p", "kerchief-console", "-p", "cases"])
             .example("simulate")
             .env_remove("RUSTC_BOOTSTRAP")
             .current_release()
