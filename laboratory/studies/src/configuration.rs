@@ -95,7 +95,7 @@ pub struct Choice {
     pub sweeps: Vec<u32>,
     /// For lines.
     pub tolerances: Vec<f64>,
-    /// The most sweeps in a frame; see [`weight`].
+    /// The most sweeps in a frame; see `weight`.
     pub work: u32,
 }
 
