@@ -398,6 +398,37 @@ fn names_and_places_that_do_not_exist() {
     ]);
 }
 
+/// Serde would take a table with the name as its key.
+#[test]
+fn names_that_are_tables() {
+    all_refused(&[
+        ("kind = \"leapfrog\"", "kind = {lines = {}}", "solver.kind", "invalid type: table, expected a string"),
+        ("pose = \"lay\"", "pose = {lay = {}}", "cloth.pose", "invalid type: table, expected a string"),
+        ("model = \"aerodynamic\"", "model = {facet = 1}", "environment.wind.model", "invalid type: table"),
+        ("\"checks\"", "{checks = {}}", "picture.pattern", "invalid type: table, expected a string"),
+        ("kind = \"leapfrog\"", "kind = 3", "solver.kind", "invalid type: integer `3`, expected a string"),
+    ]);
+}
+
+/// A chain has no width, whatever the file says; a sheet has.
+#[test]
+fn a_chain_ignores_its_width() {
+    let chain = "[cloth]\ncolumns = 1\nrows = 32\nwidth = W\nheight = 1\nmass = 1\n";
+    for width in ["0.0", "-1.0", "3.0"] {
+        let scene = Description::parse(&chain.replace('W', width)).unwrap();
+        assert_eq!(scene.sheet.width, 0.0, "{width}");
+    }
+    refused(&chain.replace('W', "nan"), "cloth.width", "must be finite");
+    refused(&spoilt("width = 2.3", "width = -1"), "cloth.width", "must be above zero, is -1");
+}
+
+/// In memory each value takes some hundred times as many bytes as in the file.
+#[test]
+fn files_of_too_many_values() {
+    let pins = format!("pins = [{}[23, 15]]", "[0, 0], ".repeat(200_000));
+    refused(&spoilt("pins = [[0, 0], [23, 15], [0, 0]]", &pins), "line 12", "more than 262144 values");
+}
+
 #[test]
 fn text_that_is_not_toml() {
     refused("name = \"x\"\n[cloth\ncolumns = 4\n", "line 2", "unclosed table");

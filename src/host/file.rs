@@ -6,7 +6,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use serde::Deserialize;
-use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer, StrDeserializer};
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
 use super::choice::{Pose, SolverKind, Weave};
@@ -69,6 +69,26 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
     }
 }
 
+/// One of several names: left alone, serde takes a table with the name as its key as well.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Named<T>(pub(super) T);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Named<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Name<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Name<T> {
+            type Value = Named<T>;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a string")
+            }
+            fn visit_str<E: Error>(self, name: &str) -> Result<Named<T>, E> {
+                T::deserialize(StrDeserializer::new(name)).map(Named)
+            }
+        }
+        deserializer.deserialize_any(Name(PhantomData))
+    }
+}
+
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Cloth {
@@ -80,7 +100,7 @@ pub(super) struct Cloth {
     pub(super) density: Option<Positive>,
     pub(super) hem: Option<Positive>,
     #[serde(default)]
-    pub(super) pose: Pose,
+    pub(super) pose: Named<Pose>,
     #[serde(default)]
     pub(super) origin: Vector,
     #[serde(default)]
@@ -157,7 +177,7 @@ pub(super) struct Environment {
 #[serde(deny_unknown_fields)]
 pub(super) struct Wind {
     pub(super) velocity: Vector,
-    pub(super) model: WindModel,
+    pub(super) model: Named<WindModel>,
     pub(super) density: Option<Positive>,
     pub(super) drag_coefficient: Option<NonNegative>,
 }
@@ -202,7 +222,7 @@ pub(super) struct Capsule {
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Solver {
-    pub(super) kind: Option<SolverKind>,
+    pub(super) kind: Option<Named<SolverKind>>,
     pub(super) step: Option<Positive>,
     pub(super) substeps: Option<Count>,
     pub(super) iterations: Option<Count>,
@@ -233,7 +253,7 @@ pub(super) struct Picture {
     pub(super) low: Option<Vector>,
     pub(super) high: Option<Vector>,
     #[serde(default)]
-    pub(super) pattern: Weave,
+    pub(super) pattern: Named<Weave>,
     pub(super) bands: Option<Count>,
     pub(super) colours: Option<Vec<Colour>>,
 }

@@ -120,6 +120,7 @@ fn scenes_that_are_wrong() {
         ("[shear]", "[sheer]", "bad.toml: sheer: unknown key"),
         ("[run]", "[run", "bad.toml: line 24: unclosed table"),
         ("name = \"small\"", "\"two\\nlines\" = 1", "bad.toml: two\\nlines: unknown key"),
+        ("kind = \"xpbd\"", "kind = {lines = {}}", "bad.toml: solver.kind: invalid type: table, expected a string"),
     ] {
         assert_eq!(SMALL.matches(from).count(), 1, "{from:?}");
         fs::write(room.join("bad.toml"), SMALL.replace(from, to)).unwrap();
