@@ -94,7 +94,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Named<T> {
 pub(super) struct Cloth {
     pub(super) columns: Count,
     pub(super) rows: Count,
-    pub(super) width: Option<Positive>,
+    pub(super) width: Option<Number>,
     pub(super) height: Positive,
     pub(super) mass: Option<Positive>,
     pub(super) density: Option<Positive>,

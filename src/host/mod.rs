@@ -26,7 +26,7 @@
 //! |---|---|---|
 //! | | `name` | \[the file's name\] |
 //! | `[cloth]` | `columns`, `rows` | particles: one of [`SHAPES`]; a sheet of one column is a chain |
-//! | | `width`, `height` | m, > 0; a chain has no width |
+//! | | `width`, `height` | m, > 0; the width of a chain, which has none, is ignored |
 //! | | `mass` or `density` | kg per particle, or kg/m² of which each particle gets its share of the cells around it; > 0 |
 //! | | `hem` | factor of border particles' mass, > 0 \[1\] |
 //! | | `pose` | `"lay"` flat in the x-y plane, or `"hang"` upright in the x-z plane, row 0 on top \[`"lay"`\] |

@@ -91,7 +91,10 @@ fn sheet(cloth: &file::Cloth) -> Result<Sheet, SceneError> {
         return Err(SceneError::new(key, format!("no grid of {columns}x{rows} (columns x rows), only {known}")));
     }
     let width = match cloth.width {
-        Some(width) if columns > 1 => width.get(),
+        Some(width) if columns > 1 && width.get() > 0.0 => width.get(),
+        Some(width) if columns > 1 => {
+            return Err(SceneError::new("cloth.width", format!("must be above zero, is {}", width.get())));
+        }
         None if columns > 1 => return Err(SceneError::new("cloth.width", "missing")),
         _ => 0.0,
     };
