@@ -2,6 +2,7 @@
 
 use core::fmt;
 use core::marker::PhantomData;
+use std::format;
 use std::string::String;
 use std::vec::Vec;
 
@@ -12,6 +13,9 @@ use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use super::choice::{Pose, SolverKind, Weave};
 use super::error::SceneError;
 use super::quantity::{Colour, Count, Fraction, NonNegative, Number, Positive, Vector};
+
+/// The most that a file may hold, counted by what ends or begins a value, a key or a line. In memory each is some hundred times as long as in the file.
+const MOST_VALUES: usize = 1 << 18;
 
 /// A whole file.
 #[derive(Debug, Deserialize)]
@@ -44,6 +48,11 @@ pub(super) struct File {
 impl File {
     /// Reads the text of a scene file; every number it returns is finite and in its range.
     pub(super) fn parse(text: &str) -> Result<Self, SceneError> {
+        let mut ends = text.bytes().enumerate().filter(|(_, byte)| b",=[.\n".contains(byte));
+        if let Some((end, _)) = ends.nth(MOST_VALUES) {
+            let line = text.as_bytes()[..end].iter().filter(|byte| **byte == b'\n').count() + 1;
+            return Err(SceneError::new(format!("line {line}"), format!("more than {MOST_VALUES} values")));
+        }
         let document = toml::Deserializer::parse(text).map_err(|error| SceneError::from_syntax(text, &error))?;
         serde_path_to_error::deserialize(document).map_err(|error| SceneError::from_toml(text, &error))
     }

@@ -20,7 +20,7 @@
 //!
 //! # The file
 //!
-//! TOML, SI units, z up. What is left out is off; a default is in brackets. Every number is finite.
+//! TOML, SI units, z up. What is left out is off; a default is in brackets. Every number is finite. A file has at most 262 144 values and, in programs, 16 MB.
 //!
 //! | table | key | meaning |
 //! |---|---|---|
