@@ -1,5 +1,6 @@
 //! The command line.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Parser, value_parser};
@@ -15,7 +16,7 @@ use console::{scalar_kind, solver_kind};
 pub(crate) struct Args {
     /// A scene file, or a built-in scene: gravity, sphere, wind, no-shear, flag, curtain, drape
     #[arg(default_value = DEFAULT_SCENE)]
-    pub(crate) scene: String,
+    pub(crate) scene: OsString,
     /// Number type
     #[arg(long, value_name = "TYPE", default_value = ScalarKind::F32.name(), value_parser = scalar_kind())]
     pub(crate) scalar: ScalarKind,

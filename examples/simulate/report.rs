@@ -3,7 +3,8 @@
 use std::fmt;
 use std::time::Duration;
 
-use kerchief::host::{Description, ScalarKind, Simulation, SolverKind, Strain, Strains};
+use console::printable;
+use kerchief::host::{Description, Explosion, ScalarKind, Simulation, SolverKind, Strain, Strains};
 use serde::Serialize;
 
 /// A number for each link family; nothing for a family that the scene does not have. What is not finite is `null` in JSON.
@@ -141,7 +142,7 @@ impl Watch {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { scene, scalar, solver, columns, rows, frames, substeps, iterations, .. } = self;
-        writeln!(f, "scene             {scene}: {columns} x {rows} particles, {frames} frames")?;
+        writeln!(f, "scene             {}: {columns} x {rows} particles, {frames} frames", printable(scene))?;
         let relaxation = self.sweeps.map_or(format!("{iterations} iterations"), |sweeps| format!("{sweeps} sweeps"));
         writeln!(f, "solver            {solver} in {scalar}, {substeps} substeps, {relaxation}")?;
         if self.frames_at_rest > 0 {

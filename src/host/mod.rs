@@ -85,7 +85,7 @@ pub use counted::{Counted, Operations};
 pub use description::{
     Capsule, Description, Drag, Picture, Plane, Sheet, Solver, Sphere, Spring, Surface, Wind, WindModel,
 };
-pub use error::SceneError;
+pub use error::{SceneError, printable};
 pub use obstacles::Obstacles;
 #[cfg(feature = "graphics")]
 pub use painter::Painter;

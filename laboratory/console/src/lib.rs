@@ -40,6 +40,18 @@ impl From<String> for Failure {
     }
 }
 
+/// What a program ends with: a failure is one line and its status.
+pub fn exit(result: Result<(), impl Into<Failure>>) -> ExitCode {
+    let Err(failure) = result else { return ExitCode::SUCCESS };
+    let (reason, status) = match failure.into() {
+        Failure::Refused(reason) => (reason, 2),
+        Failure::Exploded(reason) => (reason, 3),
+    };
+    // Nobody left to tell is no reason to panic.
+    let _ = writeln!(io::stderr(), "error: {}", printable(&reason));
+    ExitCode::from(status)
+}
+
 /// A line on the standard output.
 pub fn say(line: &str) {
     // As above.
@@ -71,21 +83,23 @@ pub fn solver_kind() -> impl TypedValueParser<Value = SolverKind> {
         .map(|name| SolverKind::from_name(&name).expect("one of the names above"))
 }
 
-/// The scene of that name among `named`, or in that file: its text and its meaning.
-pub fn load(scene: &str, named: &[BuiltIn]) -> Result<(String, Description), String> {
+/// The scene of that name among `named`, or in that file: its text and its meaning. The name of a file need not be text.
+pub fn load(scene: impl AsRef<OsStr>, named: &[BuiltIn]) -> Result<(String, Description), String> {
+    let scene = scene.as_ref();
+    let shown = scene.display();
     let text = match named.iter().find(|named| named.name == scene) {
         Some(scene) => scene.text.to_string(),
         None => read_scene(scene).map_err(|error| {
             let is_name = scene.to_str().is_some_and(|scene| !scene.contains(['.', '/', '\\']));
             if error.kind() == io::ErrorKind::NotFound && is_name {
                 let names: Vec<_> = named.iter().map(|scene| scene.name).collect();
-                format!("no scene or file {scene:?}; built-in scenes: {}", names.join(", "))
+                format!("no scene or file \"{shown}\"; built-in scenes: {}", names.join(", "))
             } else {
-                format!("{scene}: {error}")
+                format!("{shown}: {error}")
             }
         })?,
     };
-    let mut description = Description::parse(&text).map_err(|error| format!("{scene}: {error}"))?;
+    let mut description = Description::parse(&text).map_err(|error| format!("{shown}: {error}"))?;
     if description.name.is_empty() {
         description.name = Path::new(scene).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     }
