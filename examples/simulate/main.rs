@@ -4,6 +4,7 @@ mod animation;
 mod args;
 mod pictures;
 mod report;
+mod spool;
 #[cfg(feature = "window")]
 mod window;
 
@@ -36,7 +37,7 @@ fn run(args: &Args) -> Result<(), String> {
     }
     let mut simulation = simulation(&scene, args.scalar).map_err(|error| format!("{}: {error}", args.scene))?;
     staging::prepare(&args.out)?;
-    let mut album = (args.animation() || args.png).then(|| Album::new(&scene));
+    let mut album = Album::new(&scene, &args.out, args.animation(), args.png)?;
     // Before anything is computed, because its place may be taken.
     let mut report_file = Staged::create(&args.out, "report.json")?;
     let mut positions = args.csv.then(|| Positions::create(&args.out)).transpose()?;
@@ -44,10 +45,7 @@ fn run(args: &Args) -> Result<(), String> {
         if let Some(positions) = &mut positions {
             positions.record(frame, &still, scene.sheet.columns)?;
         }
-        if let Some(album) = &mut album {
-            album.add(frame, still);
-        }
-        Ok::<_, String>(())
+        album.add(frame, &still)
     };
 
     let mut watch = Watch::start(&*simulation);
@@ -65,19 +63,7 @@ fn run(args: &Args) -> Result<(), String> {
     bar.finish_and_clear();
     let report = watch.report(&*simulation, &scene, args.scalar);
 
-    let mut files = Vec::new();
-    if let Some(album) = album {
-        if args.animation() {
-            let bar = progress("pictures", 0);
-            files.push(album.animation(&args.out, &bar)?);
-            bar.finish_and_clear();
-        }
-        if args.png {
-            let bar = progress("pictures", 0);
-            files.extend(album.pictures(&args.out, &bar)?);
-            bar.finish_and_clear();
-        }
-    }
+    let mut files = album.develop(&progress("pictures", 0))?;
     if let Some(positions) = positions {
         files.push(positions.complete()?);
     }

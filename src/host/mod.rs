@@ -88,7 +88,7 @@ pub use description::{
 pub use error::{SceneError, printable};
 pub use obstacles::Obstacles;
 #[cfg(feature = "graphics")]
-pub use painter::Painter;
+pub use painter::{Bounds, Painter};
 pub use parts::{Bare, Everything, Parts, Springs};
 pub use quantity::MOST;
 pub use run::{ScalarKind, Simulation, State, Still, Strain, Strains};

@@ -83,6 +83,11 @@ impl Write for Staged {
     }
 }
 
+/// A file without a name in `directory`, for what a program remembers: the system removes it however the program ends.
+pub fn scratch(directory: &Path) -> Result<fs::File, String> {
+    tempfile::tempfile_in(directory).map_err(|error| failed(directory, &error))
+}
+
 /// Makes the directory `--out` and makes sure that files can be written there; from now on a signal that ends the program removes what is staged.
 pub fn prepare(directory: &Path) -> Result<(), String> {
     static SIGNALS: Once = Once::new();
