@@ -17,25 +17,25 @@ use instances::simulation;
 use kerchief::host::{BUILT_IN, Still};
 
 use args::Args;
-use console::progress;
 use console::staging::{self, Complete, Staged};
+use console::{Failure, printable, progress};
 use pictures::Album;
 use report::Watch;
 
 fn main() -> ExitCode {
-    console::exit(console::read().and_then(|args: Args| run(&args)))
+    console::exit(console::read().map_err(Failure::Refused).and_then(|args: Args| run(&args)))
 }
 
-fn run(args: &Args) -> Result<(), String> {
+fn run(args: &Args) -> Result<(), Failure> {
     let (_, mut scene) = console::load(&args.scene, BUILT_IN)?;
     args.override_scene(&mut scene);
     if args.window {
         #[cfg(feature = "window")]
-        return window::run(scene, args.scalar);
+        return Ok(window::run(scene, args.scalar)?);
         #[cfg(not(feature = "window"))]
-        return Err("--window: built without the cargo feature `window`; add --features window".to_string());
+        return Err("--window: built without the cargo feature `window`; add --features window".to_string().into());
     }
-    let mut simulation = simulation(&scene, args.scalar).map_err(|error| format!("{}: {error}", args.scene))?;
+    let mut simulation = simulation(&scene, args.scalar).map_err(|error| format!("{}: {error}", args.scene.display()))?;
     staging::prepare(&args.out)?;
     let mut album = Album::new(&scene, &args.out, args.animation(), args.png)?;
     // Before anything is computed, because its place may be taken.
@@ -72,8 +72,9 @@ fn run(args: &Args) -> Result<(), String> {
     report_file.named(written)?;
     files.push(report_file.complete()?);
     staging::finish(files)?;
-    let _ = writeln!(io::stdout(), "{report}\nwritten to        {}", args.out.display());
-    Ok(())
+    let out = args.out.display().to_string();
+    let _ = writeln!(io::stdout(), "{report}\nwritten to        {}", printable(&out));
+    report.explosion().map_or(Ok(()), |explosion| Err(Failure::Exploded(explosion)))
 }
 
 /// `positions.csv`.

@@ -91,5 +91,5 @@ pub use obstacles::Obstacles;
 pub use painter::{Bounds, Painter};
 pub use parts::{Bare, Everything, Parts, Springs};
 pub use quantity::MOST;
-pub use run::{ScalarKind, Simulation, State, Still, Strain, Strains};
+pub use run::{Explosion, ScalarKind, Simulation, State, Still, Strain, Strains};
 pub use shape::SHAPES;

@@ -268,6 +268,114 @@ fn a_signal_leaves_what_was_there() {
     assert_eq!(ignored, None, "as with nohup");
 }
 
+/// The most memory that the program had, kB: what the system last said before it ended.
+#[cfg(target_os = "linux")]
+fn peak_memory(room: &Path, args: &[&str]) -> u64 {
+    use std::process::Stdio;
+
+    let mut running = program().current_dir(room).args(args).stdout(Stdio::null()).spawn().unwrap();
+    let mut peak = 0;
+    while running.try_wait().unwrap().is_none() {
+        let status = fs::read_to_string(format!("/proc/{}/status", running.id())).unwrap_or_default();
+        let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        peak = peak.max(line.map_or(0, |line| line.trim().trim_end_matches(" kB").parse().unwrap()));
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    assert!(running.wait().unwrap().success(), "{args:?}");
+    peak
+}
+
+/// What is recorded for pictures is on the disk. In memory 1500 moments of this sheet are 147 MB.
+#[test]
+#[cfg(target_os = "linux")]
+fn memory_does_not_grow_with_frames() {
+    let room = room();
+    let room = room.path();
+    let large = SMALL.replace("columns = 4\nrows = 4", "columns = 64\nrows = 64").replace("[3, 0]", "[63, 0]");
+    // so short that the animation has two pictures
+    let large = large.replace("step = 0.02\nsubsteps = 4", "step = 2e-5\nsubsteps = 1");
+    fs::write(room.join("large.toml"), large).unwrap();
+    for kinds in [&["--gif"][..], &["--gif", "--png", "--every", "1000"]] {
+        let peak = |frames| peak_memory(room, &[&["large.toml", "--frames", frames], kinds].concat());
+        let (short, long) = (peak("100"), peak("1500"));
+        assert!(long < short + short / 2, "{kinds:?}: {short} kB in 100 frames, {long} kB in 1500");
+    }
+}
+
+/// A file without an end, or one that would be a hundred times as large in memory.
+#[test]
+#[cfg(target_os = "linux")]
+fn scene_files_without_bound_are_refused() {
+    let room = room();
+    let room = room.path();
+    refuses(room, &["/dev/zero"], "/dev/zero: larger than 16 MB");
+    fs::write(room.join("large.toml"), format!("{SMALL}#{}", "x".repeat(16 << 20))).unwrap();
+    refuses(room, &["large.toml"], "large.toml: larger than 16 MB");
+    fs::write(room.join("large.toml"), format!("{SMALL}#{}", "x".repeat(15 << 20))).unwrap();
+    succeeds(room, &["large.toml", "--csv"]);
+    let pins = format!("pins = [{}[3, 0]]", "[0, 0], ".repeat(1_200_000));
+    fs::write(room.join("pins.toml"), SMALL.replace("pins = [[0, 0], [3, 0]]", &pins)).unwrap();
+    let limited = Command::new("sh")
+        .args(["-c", "ulimit -v 400000; exec \"$@\"", "sh"])
+        .arg(program().get_program())
+        .arg("pins.toml")
+        .current_dir(room)
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8_lossy(&limited.stderr);
+    assert_eq!(limited.status.code(), Some(2), "{stderr}");
+    assert!(stderr.contains("pins.toml: line 10: more than 262144 values"), "{stderr}");
+}
+
+/// Whatever a scene or a file is called, a terminal is told nothing but text.
+#[test]
+#[cfg(unix)]
+fn control_characters_are_not_printed() {
+    let room = room();
+    let room = room.path();
+    fs::write(room.join("named.toml"), SMALL.replace("name = \"small\"", r#"name = "\u001b[31mred\u009b\u202e""#)).unwrap();
+    fs::write(room.join("key.toml"), SMALL.replace("name = \"small\"", r#""\u001b[31m\u202e" = 1"#)).unwrap();
+    fs::write(room.join("\u{1b}[31m.toml"), "[cloth\n").unwrap();
+    let runs = [
+        &["named.toml", "--csv", "--out", "\u{1b}[31mout"][..],
+        &["key.toml"],
+        &["\u{1b}[31m.toml"],
+        &["\u{1b}[31m\u{202e}"],
+        &["small.toml", "--scalar", "\u{1b}[31m"],
+    ];
+    for args in runs {
+        let output = run(room, args);
+        for text in [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap()) {
+            let hidden = text.chars().find(|c| c.is_control() && *c != '\n' || *c == '\u{202e}');
+            assert_eq!(hidden, None, "{args:?}: {text:?}");
+        }
+        let expected = if args == runs[0] { 0 } else { 2 };
+        assert_eq!(output.status.code(), Some(expected), "{args:?}");
+    }
+    let stdout = succeeds(room, runs[0]);
+    assert!(stdout.contains(r"\u{1b}[31mred\u{9b}\u{202e}"), "{stdout}");
+}
+
+/// Paths are bytes, not text.
+#[test]
+#[cfg(target_os = "linux")]
+fn paths_that_are_not_text() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let room = room();
+    let room = room.path();
+    let [scene, out] = [&b"caf\xe9.toml"[..], b"sortie\xe9"].map(OsStr::from_bytes);
+    fs::write(room.join(scene), SMALL.replace("name = \"small\"", "")).unwrap();
+    let output = program().current_dir(room).arg(scene).args(["--csv", "--gif", "--out"]).arg(out).output().unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && stderr.is_empty(), "{stderr}");
+    assert_eq!(names(&room.join(out)), ["animation.gif", "positions.csv", "report.json"]);
+    let missing = program().current_dir(room).arg(OsStr::from_bytes(b"\xe9.toml")).output().unwrap();
+    assert_eq!(missing.status.code(), Some(2));
+    assert!(String::from_utf8(missing.stderr).unwrap().starts_with("error: \u{fffd}.toml: "));
+}
+
 /// Killed in the middle of a run: the complete files of the run before stay complete.
 #[test]
 #[cfg(unix)]
@@ -512,9 +620,53 @@ fn a_sheet_that_falls_out_of_range_is_reported() {
     let beside_the_ball = SMALL.replace("origin = [-0.5,", "origin = [5.0,");
     fs::write(room.join("free.toml"), beside_the_ball.replace("pins = [[0, 0], [3, 0]]", "")).unwrap();
     for (scalar, frames, finite) in [("q24", "140", true), ("q24", "160", false), ("f32", "160", true)] {
-        succeeds(room, &["free.toml", "--csv", "--scalar", scalar, "--frames", frames]);
+        let args = ["free.toml", "--csv", "--scalar", scalar, "--frames", frames];
+        if finite {
+            succeeds(room, &args);
+        } else {
+            explodes(room, &args, "a particle left the range of q24");
+        }
         assert_eq!(report(room)["finite"], finite, "{scalar} after {frames} frames");
     }
+}
+
+/// Asserts that a run writes what it was told to, and ends with one line that says in which frame the sheet exploded, and why.
+fn explodes(room: &Path, args: &[&str], reason: &str) -> u32 {
+    let output = run(room, args);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(3), "{args:?}: {stderr}");
+    assert_eq!(stderr.lines().count(), 1, "{args:?}: {stderr:?}");
+    assert!(stderr.contains(reason) && stderr.trim_end().ends_with("see docs/symptoms.md"), "{args:?}: {stderr:?}");
+    let stdout = String::from_utf8(output.stdout).unwrap();
+    assert!(stdout.contains("finite            no") && stdout.contains("written to"), "{args:?}: {stdout}");
+    assert_eq!(report(room)["finite"], false, "{args:?}");
+    let frame = stderr.strip_prefix("error: exploded in frame ").unwrap_or_else(|| panic!("{stderr:?}"));
+    frame.split_once(':').unwrap().0.parse().unwrap()
+}
+
+#[test]
+fn exploded_runs_say_so() {
+    let room = room();
+    let room = room.path();
+    let wild = SMALL.replace("stiffness = 100.0", "stiffness = 1e9");
+    fs::write(room.join("wild.toml"), &wild).unwrap();
+    let args = ["wild.toml", "--solver", "forward-euler", "--csv", "--frames", "50", "--scalar"];
+    let number = explodes(room, &[&args[..], &["f64"]].concat(), "further than a million sheet sizes");
+    assert!(number < 10, "{number}");
+    // far away and still finite: at the end of this frame
+    let frames = number.to_string();
+    let short = ["wild.toml", "--solver", "forward-euler", "--csv", "--scalar", "f64", "--frames", &frames];
+    assert_eq!(explodes(room, &short, "further than a million sheet sizes"), number);
+    assert_eq!(names(&room.join("out")), ["positions.csv", "report.json"]);
+    let table = fs::read_to_string(room.join("out/positions.csv")).unwrap();
+    assert_eq!(table.lines().count(), 1 + 16 * (number as usize + 1), "every frame is there");
+    let furthest = table.lines().skip(1).flat_map(|line| line.split(',').skip(3)).map(|x| x.parse::<f64>().unwrap().abs());
+    let furthest = furthest.fold(0.0, f64::max);
+    assert!(furthest.is_finite() && furthest > 1e6, "{furthest}");
+    fs::write(room.join("blown.toml"), wild.replace("step = 0.02", "step = 2e9")).unwrap();
+    explodes(room, &["blown.toml", "--solver", "forward-euler", "--csv"], "a number is not finite");
+    let help = succeeds(room, &["--help"]);
+    assert!(help.contains("3 if the sheet exploded"), "{help}");
 }
 
 #[test]
@@ -588,7 +740,7 @@ fn sheets_that_blow_up_are_reported_and_drawn() {
     let room = room();
     let room = room.path();
     fs::write(room.join("wild.toml"), SMALL.replace("stiffness = 100.0", "stiffness = 1e9")).unwrap();
-    succeeds(room, &["wild.toml", "--solver", "forward-euler", "--frames", "50", "--png", "--every", "10"]);
+    explodes(room, &["wild.toml", "--solver", "forward-euler", "--frames", "50", "--png", "--every", "10"], "");
     assert_eq!(names(&room.join("out")).len(), 7);
     let report = report(room);
     assert_eq!(report["finite"], false);
