@@ -16,7 +16,7 @@ use crate::vec3::Vec3;
 /// sweeps leave a stiff sheet *super-elastic*: news travels one link a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Verlet {
-    /// Relaxations of all springs in a substep, at least one. Fixed point counts up to 127.
+    /// Relaxations of all springs in a substep, at least one.
     pub sweeps: u32,
 }
 
