@@ -6,6 +6,7 @@
 //! Only `+ − × ÷` and the square root are used, each rounded once and always in the same order, so every number type gives the same
 //! bits on every target.
 
+pub(crate) mod fit;
 mod fixed24;
 mod float;
 #[cfg(any(test, all(not(feature = "std"), target_abi = "eabihf")))]

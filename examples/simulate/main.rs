@@ -35,7 +35,8 @@ fn run(args: &Args) -> Result<(), Failure> {
         #[cfg(not(feature = "window"))]
         return Err("--window: built without the cargo feature `window`; add --features window".to_string().into());
     }
-    let mut simulation = simulation(&scene, args.scalar).map_err(|error| format!("{}: {error}", args.scene.display()))?;
+    let mut simulation =
+        simulation(&scene, args.scalar).map_err(|error| format!("{}: {error}", args.scene.display()))?;
     staging::prepare(&args.out)?;
     let mut album = Album::new(&scene, &args.out, args.animation(), args.png)?;
     // Before anything is computed, because its place may be taken.

@@ -50,7 +50,7 @@ impl File {
     pub(super) fn parse(text: &str) -> Result<Self, SceneError> {
         let mut ends = text.bytes().enumerate().filter(|(_, byte)| b",=[.\n".contains(byte));
         if let Some((end, _)) = ends.nth(MOST_VALUES) {
-            let line = text.as_bytes()[..end].iter().filter(|byte| **byte == b'\n').count() + 1;
+            let line = text[..end].matches('\n').count() + 1;
             return Err(SceneError::new(format!("line {line}"), format!("more than {MOST_VALUES} values")));
         }
         let document = toml::Deserializer::parse(text).map_err(|error| SceneError::from_syntax(text, &error))?;

@@ -15,7 +15,7 @@ use crate::cloth::Cloth;
 use crate::render::ground::Backdrop;
 use crate::render::pattern::{Border, CELL, Checks, Gingham, Pattern, Place, Stripes};
 use crate::render::{Ball, Camera, Ground, Light, Look, Rod, Shaded, Shadow, View, Wireframe};
-use crate::units::{Point, Units};
+use crate::units::{Length, Point, Units};
 use crate::vec3::Vec3;
 
 /// Draws moments of a scene: the sheet, balls and rods, and a ground with their shadow.
@@ -66,12 +66,14 @@ impl<'a> Painter<'a> {
         let floor = scene.planes.iter().filter(|plane| plane.normal[2] > 0.999).map(|plane| plane.point[2]);
         let floor = floor.reduce(f64::max).unwrap_or(low[2].min(seen[0][2]) - 0.02 * size);
         let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
-        let ground = Ground::new(units.point([middle[0], middle[1], floor]), units.length(2.2 * size));
+        // a picture may be of anything, however large
+        let length = |metres: f64| Length(metres / units.cell);
+        let ground = Ground::new(units.place([middle[0], middle[1], floor]), length(2.2 * size));
         Ok(Self {
             scene,
             units,
-            view: View::new(azimuth, elevation).fit(units.point(low), units.point(high), screen),
-            ground: ground.tiles(units.length(0.25 * size)),
+            view: View::new(azimuth, elevation).fit(units.place(low), units.place(high), screen),
+            ground: ground.tiles(length(0.25 * size)),
             light: Light::new(azimuth - 50.0, 50.0),
             screen,
         })
@@ -105,7 +107,7 @@ impl<'a> Painter<'a> {
         let mut positions = still.positions.iter();
         cloth
             .position
-            .change(|x| positions.next().map_or(x, |&metres| Vec3::from_f64(self.units.point(metres).0.map(near))));
+            .change(|x| positions.next().map_or(x, |&metres| Vec3::from_f64(self.units.place(metres).0.map(near))));
         let camera = Camera::new(&self.view, self.screen);
         let solids = (&*self.balls(still), &*self.rods());
         let mut ground = self.ground.shadow(Shadow::<160>::new(SHADOW).soften(6));
@@ -123,7 +125,7 @@ impl<'a> Painter<'a> {
 
     fn balls(&self, still: &Still) -> Vec<Ball<f32>> {
         let ball = |(centre, sphere): (&[f64; 3], &super::Sphere)| {
-            Ball::new(self.units.point(*centre), self.units.length(sphere.radius), BALL)
+            Ball::new(self.units.place(*centre), self.units.length(sphere.radius), BALL)
         };
         still.spheres.iter().zip(&self.scene.spheres).map(ball).collect()
     }

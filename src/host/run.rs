@@ -288,8 +288,8 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
             *inverse_mass = if state.pinned[index] { S::ZERO } else { unpinned[index] };
         }
         let (mut positions, mut velocities) = (state.still.positions.iter(), state.velocities.iter());
-        position.change(|x| positions.next().map_or(x, |&metres| self.units.point(metres).to_vec()));
-        velocity.change(|v| velocities.next().map_or(v, |&speed| Vec3::from_f64(self.units.velocity(speed).0)));
+        position.change(|x| positions.next().map_or(x, |&metres| self.units.place(metres).to_vec()));
+        velocity.change(|v| velocities.next().map_or(v, |&speed| Vec3::from_f64(self.units.motion(speed).0)));
         self.scene.colliders.set_centres(&self.units, &state.still.spheres);
         self.range = Range::new(&mut self.cloth.position.values());
         self.memory = self.scene.memory();

@@ -24,7 +24,10 @@ impl<S: Scalar> Solver<S> for Verlet {
     /// Nothing.
     type Memory<const W: usize, const H: usize> = ();
 
-    fn memory<const W: usize, const H: usize>(&self) {}
+    #[track_caller]
+    fn memory<const W: usize, const H: usize>(&self) {
+        assert!(self.sweeps > 0, "Verlet needs one sweep at least");
+    }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
