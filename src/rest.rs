@@ -52,11 +52,19 @@ use crate::solver::{Physics, Solver};
 use crate::units::Units;
 use crate::vec3::Vec3;
 
-/// What counts as still: for `time` no particle is faster than `speed` along any axis, and the speed of the fastest one changes by less than `acceleration`
-/// times `time`. Every pin that moves is motion, however slow.
+/// What counts as still. For `time`
+/// * no particle is faster than `speed` along any axis,
+/// * the speed of the fastest one changes by less than `acceleration · time`,
+/// * no particle gets further along any axis than `speed · time / 10` from where it was when that time began,
+/// * and no pin moves, however slowly.
 ///
-/// The speed alone would freeze a sheet where it turns back in a slow swing, or where it begins to fall: there it is accelerated. What counts as still is then
-/// a swing that is never much faster than `speed`, and a fall by less than `acceleration`.
+/// The speed alone would freeze a sheet where it turns back in a slow swing, or where it begins to fall: there it is accelerated. And it would freeze one that
+/// sinks slowly in thick air: its motion is steady and goes somewhere, while a sheet that trembles stays where it is. So what is frozen is a swing that is never
+/// much faster than `speed`, a fall by less than `acceleration`, and a steady motion slower than a tenth of `speed`.
+///
+/// Where rounding moves a sheet by more, thresholds are as large as that. The speeds are at least 8 of the steps in which the number type
+/// [measures links](Scalar::EDGE) in each substep, of 16 at most, which matters to [`Q13`](crate::Q13); and the distance is at
+/// least 1/2048 cell in `Q24` and 1/1024 in `Q13`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stillness {
     /// m/s, positive
@@ -68,8 +76,7 @@ pub struct Stillness {
 }
 
 impl Stillness {
-    /// 1 mm/s and 1 mm/s² (a ten-thousandth of a weight) for half a second. A swing of a second's period is frozen where it is smaller than 0.08 mm, one
-    /// of four seconds' where it is smaller than 0.8 mm. Larger values freeze what can be seen to move; with much smaller ones a sheet that is moved by
+    /// 1 mm/s and 1 mm/s² (a ten-thousandth of a weight) for half a second, in which nothing gets further than 0.05 mm: 0.1 mm/s, if it is steady. Larger values freeze what can be seen to move; with much smaller ones a sheet that is moved by
     /// rounding alone never rests.
     pub const DEFAULT: Self = Self { speed: 1e-3, acceleration: 1e-3, time: 0.5 };
 }
@@ -100,9 +107,20 @@ pub struct Threshold {
     pub speed: f64,
     /// The change of speed, cells per tick.
     pub change: f64,
+    /// The parts of a cell in which places are compared: a particle may get [`GRAINS`] of them away.
+    pub grains: i32,
     /// How long, frames.
     pub frames: u32,
 }
+
+/// How many grains make the distance that counts as motion. Of each coordinate a byte is kept: at rest's speeds no frame goes as far as would bring it round.
+const GRAINS: i32 = 4;
+
+/// By how many [steps of a link's length](Scalar::EDGE) a sheet may tremble in a substep.
+const TREMBLE: f64 = 8.0;
+
+/// The most substeps of which each adds its tremble to a speed, as a power of two. With more a particle could go round a byte in a frame.
+const SHAKEN: u32 = 4;
 
 impl Threshold {
     /// The nearest threshold; a frame at least.
@@ -120,7 +138,14 @@ impl Threshold {
         // rounded up; the conversion saturates
         let frames = (time / units.frame) as u32;
         let frames = if frames as f64 * units.frame < time { frames.saturating_add(1) } else { frames };
-        Self { speed: speed * scale, change: acceleration * time * scale, frames: if frames > 0 { frames } else { 1 } }
+        // the conversion saturates here too
+        let grains = (GRAINS as f64 * units.cell / (0.1 * speed * time)) as i32;
+        Self {
+            speed: speed * scale,
+            change: acceleration * time * scale,
+            grains: if grains > 0 { grains } else { 1 },
+            frames: if frames > 0 { frames } else { 1 },
+        }
     }
 
     /// Lets `solver` move the sheet by a frame, unless it is at rest.
@@ -130,10 +155,10 @@ impl Threshold {
         solver: &V,
         physics: Physics<'_, F, L, C>,
         cloth: &mut Cloth<S, W, H>,
-        memory: &mut Memory<V::Memory<W, H>, S>,
+        memory: &mut Memory<V::Memory<W, H>, S, W, H>,
         end: Moment,
     ) {
-        let watch = &mut memory.watch;
+        let Memory { watch, places, .. } = memory;
         if watch.at_rest {
             let mut seen = surroundings(physics);
             cloth.fingerprint(&mut seen);
@@ -143,16 +168,22 @@ impl Threshold {
             *watch = Watch::AWAKE;
         }
         solver.frame(physics, cloth, &mut memory.solver, end);
-        let Some(speed) = fastest(cloth, S::from_f64(self.speed)) else {
+        let tremble = S::from_f64(TREMBLE * S::EDGE).double(end.shift.min(SHAKEN));
+        let Some(speed) = fastest(cloth, S::from_f64(self.speed).max(tremble)) else {
             *watch = Watch::AWAKE;
             return;
         };
         let seen = surroundings(physics);
         let [slowest, fastest] = [watch.slowest.min(speed), watch.fastest.max(speed)];
-        let goes_on = watch.frames > 0 && seen.matches(watch.seen) && fastest - slowest < S::from_f64(self.change);
+        let grains = self.grains.min(const { (GRAINS as f64 / S::STRAY) as i32 });
+        let goes_on = watch.frames > 0
+            && seen.matches(watch.seen)
+            && fastest - slowest < S::from_f64(self.change).max(tremble)
+            && places.are_near(cloth, grains);
         *watch = if goes_on {
             Watch { frames: watch.frames + 1, seen, slowest, fastest, at_rest: false }
         } else {
+            places.take(cloth, grains);
             Watch { frames: 1, seen, slowest: speed, fastest: speed, at_rest: false }
         };
         if watch.frames >= self.frames {
@@ -162,17 +193,18 @@ impl Threshold {
     }
 }
 
-/// What a solver remembers, and since when its sheet is still.
+/// What a solver remembers, since when its sheet is still, and three bytes a particle of where that was.
 #[derive(Clone, Copy, Debug)]
-pub struct Memory<M, S> {
+pub struct Memory<M, S, const W: usize, const H: usize> {
     solver: M,
     watch: Watch<S>,
+    places: Places<W, H>,
 }
 
-impl<M, S: Scalar> Memory<M, S> {
+impl<M, S: Scalar, const W: usize, const H: usize> Memory<M, S, W, H> {
     /// The memory of a sheet in motion.
     pub fn new(solver: M) -> Self {
-        Self { solver, watch: Watch::AWAKE }
+        Self { solver, watch: Watch::AWAKE, places: Places([[[0; 3]; W]; H]) }
     }
 
     /// What the solver remembers, to move the sheet without this: it then counts as in motion.
@@ -204,6 +236,36 @@ impl<S: Scalar> Watch<S> {
         Self { frames: 0, seen: Fingerprint::new(), slowest: S::ZERO, fastest: S::ZERO, at_rest: false };
 }
 
+/// Where particles were, in grains, of which the lower byte tells whether they are near.
+#[derive(Clone, Copy, Debug)]
+struct Places<const W: usize, const H: usize>([[[u8; 3]; W]; H]);
+
+impl<const W: usize, const H: usize> Places<W, H> {
+    fn take<S: Scalar>(&mut self, particles: &Particles<S, W, H>, grains: i32) {
+        for (kept, row) in self.0.iter_mut().zip(&particles.position.0) {
+            for (column, kept) in kept.iter_mut().enumerate() {
+                *kept = lower_bytes(row.at(column), grains);
+            }
+        }
+    }
+
+    fn are_near<S: Scalar>(&self, particles: &Particles<S, W, H>, grains: i32) -> bool {
+        self.0.iter().zip(&particles.position.0).all(|(kept, row)| {
+            kept.iter().enumerate().all(|(column, kept)| {
+                let now = lower_bytes(row.at(column), grains);
+                now.iter().zip(kept).all(|(now, then)| {
+                    let apart = now.wrapping_sub(*then) as i8;
+                    i32::from(apart).abs() <= GRAINS
+                })
+            })
+        })
+    }
+}
+
+fn lower_bytes<S: Scalar>(place: Vec3<S>, grains: i32) -> [u8; 3] {
+    [place.x, place.y, place.z].map(|x| x.round_times(grains) as u8)
+}
+
 /// The largest speed of a particle along an axis; `None` where one is faster than `limit` or a pin moves, which in motion is one of the first that are
 /// looked at.
 fn fastest<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, limit: S) -> Option<S> {
@@ -231,7 +293,7 @@ fn surroundings<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>>(physics: Ph
 }
 
 impl<S: Scalar, V: Solver<S>> Solver<S> for Resting<V> {
-    type Memory<const W: usize, const H: usize> = Memory<V::Memory<W, H>, S>;
+    type Memory<const W: usize, const H: usize> = Memory<V::Memory<W, H>, S, W, H>;
 
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
         Memory::new(self.solver.memory())

@@ -49,6 +49,10 @@ pub trait Scalar:
     const LARGEST: f64;
     /// The spacing of numbers just above one.
     const RESOLUTION: f64;
+    /// The steps in which the type measures a link some cells from the origin, cells: by a few of them a sheet at rest trembles.
+    const EDGE: f64;
+    /// How far rounding carries a sheet that is as good as at rest, cells. In fixed point drag does not slow the last 1/(2·γ·h) places of a velocity.
+    const STRAY: f64;
 
     /// Whether small numbers keep as many digits as large ones: then the scale of a number is free to choose.
     const FLOATS: bool = false;

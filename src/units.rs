@@ -33,6 +33,10 @@ use crate::vec3::Vec3;
 /// The most substeps in a frame: of 2²⁴, one is the last place of a tick in fixed point and in `f32`.
 const MOST_SUBSTEPS: u32 = 1 << 24;
 
+/// The part of the wind's speed across a triangle that the facet model gives a corner of mass 1 in a substep at most. Half as much would weaken wind in light
+/// sheets that are moved once a frame.
+const MOST_OF_WIND: f64 = 1.0 / 3.0;
+
 /// How long a cell, a tick and a particle's mass are, and how a frame divides into substeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units {
@@ -94,6 +98,8 @@ pub struct Airflow {
     pub wind: [f64; 3],
     /// The aerodynamic model's factor; unused by the facet model.
     pub pressure: f64,
+    /// The facet model's bound on |n|, cells²: see [`FacetWind::widest`](crate::FacetWind::widest). Unused by the aerodynamic model.
+    pub widest: f64,
 }
 
 impl Units {
@@ -243,7 +249,9 @@ impl Units {
     pub const fn facet_wind(&self, metres_per_second: [f64; 3]) -> Airflow {
         check(metres_per_second);
         let gain = self.cell * self.substep() * self.tick() / self.mass;
-        Airflow { wind: scaled(metres_per_second, gain), pressure: 0.0 }
+        // a triangle of |n| = 1 gives a corner so much of the wind's speed across it
+        let part = self.cell * self.cell * self.substep() / self.mass;
+        Airflow { wind: scaled(metres_per_second, gain), pressure: 0.0, widest: MOST_OF_WIND / part }
     }
 
     /// Wind of the aerodynamic model: velocity in m/s, the air's density in kg/m³, the drag coefficient of a plate across the flow.
@@ -259,7 +267,7 @@ impl Units {
         let wind = self.velocity(metres_per_second).0;
         let pressure = density * drag_coefficient * self.cell * self.cell * self.cell * self.substep()
             / (12.0 * self.mass * self.tick());
-        Airflow { wind, pressure }
+        Airflow { wind, pressure, widest: 0.0 }
     }
 }
 
@@ -337,6 +345,7 @@ impl Airflow {
         assert!(is_not_negative(self.pressure), "a wind's pressure is zero or above");
         check_fit::<S, 3>(self.wind);
         check_fit::<S, 1>([self.pressure]);
+        assert!(is_not_negative(self.widest), "a wind's bound is zero or above");
         self
     }
 }

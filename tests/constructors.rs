@@ -138,7 +138,7 @@ fn what_is_undefined_does_not_become_fixed_point() {
         let too_large = "a constant of the scene is not finite, or too large";
         refused("gravity", too_large, || Gravity::<Q24>::new(Acceleration(vector)));
         refused("gravity", too_large, || Gravity::<f32>::new(Acceleration(vector)));
-        refused("wind", too_large, || FacetWind::<Q24>::new(Airflow { wind: vector, pressure: 0.0 }));
+        refused("wind", too_large, || FacetWind::<Q24>::new(Airflow { wind: vector, pressure: 0.0, widest: 1.0 }));
         refused("place", "a place is not finite", || Cloth::<Q24, 4, 4>::lay(&UNITS, Point(vector)));
         refused("place", "a place is not finite", || Sphere::<f32>::new(Point(vector), Length(1.0), Length(0.0)));
         refused("normal", "a plane's normal is finite", || {

@@ -10,10 +10,15 @@ use crate::vec3::Vec3;
 use crate::vectors::{SIDE_BY_SIDE, left, right};
 
 /// Wind as a pressure along each triangle's normal: force `n·(n̂·wind)` with `n = (b−a)×(c−a)` on each of its corners.
+///
+/// The force grows with the area to which it stretches the sheet, and does not weaken with the sheet's velocity. Where a substep is too long for that, a triangle
+/// gives a corner of mass 1 no more than a third of the wind's own velocity across it, which keeps solvers that are stable for any step finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FacetWind<S> {
     /// The velocity that a corner gains in a substep from a triangle with |n| = 1 cell² across the wind (cells per tick).
     pub wind: Vec3<S>,
+    /// The |n| (cells²) from which on the force grows no more: a corner of mass 1 then gains a third of the wind's velocity across the triangle in a substep.
+    pub widest: S,
 }
 
 impl<S: Scalar> FacetWind<S> {
@@ -24,7 +29,8 @@ impl<S: Scalar> FacetWind<S> {
     #[track_caller]
     #[inline]
     pub fn new(airflow: Airflow) -> Self {
-        Self { wind: Vec3::from_f64(airflow.fits::<S>().wind) }
+        let airflow = airflow.fits::<S>();
+        Self { wind: Vec3::from_f64(airflow.wind), widest: S::from_f64(airflow.widest) }
     }
 }
 
@@ -40,13 +46,16 @@ impl<S: Scalar> Force<S> for FacetWind<S> {
     fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
         triangles(rows, gains, |_, corners, _| {
             let n = normal(corners);
-            n * over(n.dot(self.wind), n.length())
+            let length = n.length();
+            let across = over(n.dot(self.wind), length);
+            n * if length > self.widest { across * self.widest.divide(length) } else { across }
         });
     }
 
     #[inline]
     fn fingerprint(&self, print: &mut Fingerprint) {
         print.vector(self.wind);
+        print.number(self.widest);
     }
 }
 

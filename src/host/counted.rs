@@ -161,6 +161,8 @@ impl Scalar for Counted {
     const HALF: Self = Self(f32::HALF);
     const LARGEST: f64 = f32::LARGEST;
     const RESOLUTION: f64 = f32::RESOLUTION;
+    const EDGE: f64 = f32::EDGE;
+    const STRAY: f64 = f32::STRAY;
     const EMPTY: Self = Self(f32::EMPTY);
     const FLOATS: bool = f32::FLOATS;
 

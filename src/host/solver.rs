@@ -119,7 +119,7 @@ impl SceneSolver {
 }
 
 impl<S: Scalar> Solver<S> for SceneSolver {
-    type Memory<const W: usize, const H: usize> = rest::Memory<Memory<S, W, H>, S>;
+    type Memory<const W: usize, const H: usize> = rest::Memory<Memory<S, W, H>, S, W, H>;
 
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
         rest::Memory::new(self.solver.memory())

@@ -6,8 +6,8 @@ use crate::grid::Node;
 /// Calls `visit` with both ends of every link of offset `ACROSS`, `DOWN` in a sheet of `W` × `H` particles; where neither is zero,
 /// both diagonals of the box.
 ///
-/// Links are coloured: links of one colour share no particle. So a mirrored sheet of even width is relaxed as the mirror image, to the last bit, where
-/// sweeping from left to right would lean to one side.
+/// Links are coloured: links of one colour share no particle. So a mirrored sheet of even width is relaxed as the mirror image, in floats to the last bit,
+/// where sweeping from left to right would lean to one side.
 #[inline]
 pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usize>(visit: impl FnMut(Node, Node)) {
     Known::<ACROSS, DOWN>.each::<W, H>(visit);

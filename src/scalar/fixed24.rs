@@ -138,6 +138,8 @@ impl<K: Kernel> Scalar for Fixed24<K> {
     const HALF: Self = Self::from_bits(1 << (FRACTION - 1));
     const LARGEST: f64 = 127.999_999_94;
     const RESOLUTION: f64 = 1.0 / (1 << FRACTION) as f64;
+    const EDGE: f64 = K::EDGE;
+    const STRAY: f64 = if K::EDGE > 1.0 / 16384.0 { 8.0 * K::EDGE } else { 1.0 / 2048.0 };
     const EMPTY: i128 = 0;
 
     type Product = Wide;

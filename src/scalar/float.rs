@@ -27,6 +27,9 @@ macro_rules! float {
             const HALF: Self = 0.5;
             const LARGEST: f64 = <$float>::MAX as f64;
             const RESOLUTION: f64 = <$float>::EPSILON as f64;
+            // of places 8 cells from the origin
+            const EDGE: f64 = 8.0 * Self::RESOLUTION;
+            const STRAY: f64 = 8.0 * Self::EDGE;
             const EMPTY: Self = 0.0;
             const FLOATS: bool = true;
 

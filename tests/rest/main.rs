@@ -5,6 +5,7 @@ mod restored;
 mod settled;
 mod slow;
 mod still;
+mod trembling;
 mod wake;
 
 use kerchief::rest::Memory;
@@ -67,7 +68,7 @@ fn every_solver(trial: &impl Trial) {
 fn settle<S: Scalar, V: Solver<S>>(
     scene: &Described<S, Resting<V>>,
     cloth: &mut Sheet<S>,
-    memory: &mut Memory<V::Memory<SIDE, SIDE>, S>,
+    memory: &mut Memory<V::Memory<SIDE, SIDE>, S, SIDE, SIDE>,
     most: u32,
 ) -> Option<u32> {
     (1..=most).find(|_| {

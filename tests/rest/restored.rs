@@ -8,7 +8,7 @@ use kerchief::{Gravity, Lines, Node, Q24, Resting, Vec3, Xpbd, measure};
 use crate::{DOWN, Described, SIDE, Sheet, UNITS, curtain, resting, settle};
 
 type Curtain = Described<Q24, Resting<Xpbd>>;
-type Remembered = Memory<(), Q24>;
+type Remembered = Memory<(), Q24, SIDE, SIDE>;
 
 fn at_rest() -> (Curtain, Sheet<Q24>, Remembered) {
     let (scene, mut cloth) = curtain::<Q24, _>(resting(Xpbd));

@@ -28,6 +28,20 @@ fn fallen<S: Scalar>(forces: impl Force<S>) -> f64 {
     -measure::bounds(&cloth)[1].z.to_f64() * UNITS.cell
 }
 
+/// Sheets that drag lets sink at less than the speed that counts as still: their motion is steady, and goes somewhere.
+fn creeping_goes_on<S: Scalar>(slowest: f64) {
+    for speed in [0.98, 0.5, slowest] {
+        let speed = speed * STILL.speed;
+        for drag in [1e4, 30.0] {
+            let sunk = fallen::<S>((gravity(drag * speed), Drag::new(UNITS.drag(drag))));
+            let expected = 60.0 * speed - speed / drag;
+            assert!((sunk / expected - 1.0).abs() < 0.03, "{sunk} m instead of {expected} in {}", S::NAME);
+        }
+    }
+    // slower than a tenth of it is at rest, by definition
+    assert!(fallen::<S>((gravity(3e-3), Drag::new(UNITS.drag(100.0)))) < 1e-3);
+}
+
 /// A ten-thousandth of a weight, which takes a second for the speed that counts as still, and drag that lets a sheet sink at little more than it.
 fn slow_falls_go_on<S: Scalar>() {
     let sunk = fallen::<S>((gravity(9.81), Drag::new(UNITS.drag(9.81 / (1.2 * STILL.speed)))));
@@ -38,8 +52,8 @@ fn slow_falls_go_on<S: Scalar>() {
     let found = fallen::<S>((gravity(accelerated), Drag::new(UNITS.drag(drag))));
     // a substep's gain is seven units of the last place of q24
     assert!((found / expected - 1.0).abs() < 0.08, "{found} m instead of {expected} in {}", S::NAME);
-    // what is slower than that is at rest, by definition; here by five units
-    assert!(fallen::<S>(gravity(0.86 * STILL.acceleration)) < 1e-3);
+    // what goes less far than speed · time / 10 is at rest, by definition; here a fall by two units
+    assert!(fallen::<S>(gravity(0.344 * STILL.acceleration)) < 1e-3);
 }
 
 /// Frames at rest in a minute of a swing of this amplitude (m): a sheet on one edge in so little weight that it takes `PERIOD` for it.
@@ -107,6 +121,15 @@ fn falls() {
     slow_falls_go_on::<f64>();
     slow_falls_go_on::<Q24>();
     slow_falls_go_on::<Q13>();
+}
+
+#[test]
+fn creeping() {
+    creeping_goes_on::<f32>(0.15);
+    creeping_goes_on::<f64>(0.15);
+    creeping_goes_on::<Q24>(0.15);
+    // a thousandth of a cell in half a second
+    creeping_goes_on::<Q13>(0.3);
 }
 
 #[test]

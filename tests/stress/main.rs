@@ -4,6 +4,7 @@ mod day;
 mod elasticity;
 mod far_colliders;
 mod far_links;
+mod gale;
 mod hands;
 mod heavy_border;
 mod heavy_limit;

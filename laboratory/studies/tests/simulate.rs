@@ -581,7 +581,6 @@ fn a_sheet_at_rest_is_not_computed() {
     assert!(!moving.is_at_rest(), "a scene without [rest] never is");
 
     let scene = Description::parse(&format!("{damped}[rest]\n")).unwrap();
-    let mut resting = simulation(&scene, ScalarKind::F32).unwrap();
     let disturbances: [(&str, Disturb); 4] = [
         ("gravity", |simulation| simulation.set_gravity([0.0, 1.0, -9.81]).unwrap()),
         ("a pin let go", |simulation| simulation.set_pinned(3, 0, false)),
@@ -596,6 +595,8 @@ fn a_sheet_at_rest_is_not_computed() {
         }),
     ];
     for (what, disturb) in disturbances {
+        // anew, because XPBD turns a sheet on one pin and a ball by 0.6 mm/s for good
+        let mut resting = simulation(&scene, ScalarKind::F32).unwrap();
         (0..1000).for_each(|_| resting.frame());
         assert!(resting.is_at_rest(), "before {what}");
         let digest = resting.digest();

@@ -12,6 +12,8 @@ use crate::scalar::{Rest, Rounding};
 pub trait Kernel: Copy + Debug + Default + Ord + Hash + 'static {
     /// The type's name.
     const NAME: &'static str;
+    /// The last place of an edge, cells.
+    const EDGE: f64;
 
     /// A product, rounded to nearest.
     fn multiply(a: i32, b: i32) -> i32;

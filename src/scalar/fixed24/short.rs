@@ -101,6 +101,7 @@ fn far_reciprocal(x: i32) -> i32 {
 
 impl Kernel for Short {
     const NAME: &'static str = "q13";
+    const EDGE: f64 = 1.0 / (1 << EDGE) as f64;
 
     #[inline(always)]
     fn multiply(a: i32, b: i32) -> i32 {
