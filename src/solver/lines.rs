@@ -11,9 +11,9 @@
 //! **Dampers** act on all velocities at once, by rows and columns, too ([`viscosity`]).
 //!
 //! **In space** a sweep solves the other families, all rows and all columns, one after the other; after each sweep, particles are moved out of colliders. Rows, columns and
-//! the diagonals of the cells are chains, each solved exactly ([`chain`], [`diagonal`]); diagonals that are softer than inertia (κ = k·h²/m ≤ 1) and all other links are relaxed
+//! the diagonals of the cells are chains, each solved exactly ([`chain`], [`diagonal`]); diagonals up to κ = k·h²/m = 32 and all other links are relaxed
 //! one by one ([`pairs`]). Families pull each other out of shape, so sweeps go on until every row is within the tolerance when it is met: where the sheet swings two are
-//! enough, where it snaps taut more are spent; where their number [flickers](flicker), it is kept. All multipliers start from nothing: on a stiff sheet a part of the last ones
+//! enough, where it snaps taut more are spent; once it is calm their number is [kept](sweeps). All multipliers start from nothing: on a stiff sheet a part of the last ones
 //! does not die away, and shakes it.
 //!
 //! **Steps too long for sweeps** are [split]: what a sweep leaves shrinks by 1 − c/N² on a grid of N particles a side, but with the square of the step.
@@ -22,7 +22,6 @@ mod chain;
 mod contact;
 mod diagonal;
 mod ease;
-mod flicker;
 mod heavy;
 mod held_back;
 mod pairs;
@@ -30,6 +29,7 @@ mod predict;
 mod pull;
 mod relax;
 mod split;
+mod sweeps;
 mod viscosity;
 
 use crate::collider::Collider;
@@ -43,10 +43,10 @@ use crate::solver::{Physics, Solver};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-use flicker::Flicker;
 use pull::Pull;
 use relax::Relax;
 use split::{Outcome, Split};
+use sweeps::Kept;
 use viscosity::Axes;
 
 /// Second order in time, exact along rows, columns and diagonals, stable for any stiffness and step: the solver for sheets that hardly stretch.
@@ -97,8 +97,8 @@ const PATIENCE: u32 = 4;
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
 
-/// How far particles move in a substep of a sheet whose sweeps may be kept, cells. Where they move further, that is what their number follows.
-const CALM: f64 = 0.2;
+/// How far particles move at most in a substep of a sheet that is calm, cells.
+const CALM: f64 = 0.02;
 
 /// What a sheet's motion leaves behind.
 #[derive(Clone, Copy, Debug)]
@@ -107,7 +107,7 @@ pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
     earlier: Vectors<S, W, H>,
     /// The multiplier of each link in the last sweep, at its upper or left particle, in cells over the dividend of the link's strength.
     tension: [Grid<S, W, H>; N],
-    flicker: Flicker,
+    kept: Kept,
     split: Split,
     history: History,
 }
@@ -117,7 +117,7 @@ impl<S: Scalar, const W: usize, const H: usize, const N: usize> Memory<S, W, H, 
     pub const BLANK: Self = {
         assert!(N >= 2, "the line solver remembers rows and columns at least");
         let (earlier, tension) = (Vectors::filled(Vec3::ZERO), [Grid::filled(S::ZERO); N]);
-        Self { earlier, tension, flicker: Flicker::NONE, split: Split::NONE, history: History::None }
+        Self { earlier, tension, kept: Kept::NONE, split: Split::NONE, history: History::None }
     };
 }
 
@@ -163,7 +163,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         }
         if memory.split.learn(&outcome, S::from_f64(self.tolerance), W.max(H), self.most_sweeps) {
             memory.history = History::Rough;
-            memory.flicker = Flicker::NONE;
+            memory.kept = Kept::NONE;
         }
     }
 }
@@ -180,7 +180,6 @@ impl<const N: usize> Lines<N> {
     ) -> Outcome<S> {
         let most_sweeps = (self.most_sweeps >> split).max(1);
         let least_sweeps = self.sweeps.clamp(1, most_sweeps);
-        let patience = most_sweeps.min(PATIENCE).max(least_sweeps);
         let first_order = memory.history == History::Rough;
         // what friction looks back to
         let start = physics.colliders.is_present().then_some(particles.position);
@@ -211,9 +210,11 @@ impl<const N: usize> Lines<N> {
         let mut relax = Relax::new(particles, tension, moment, softness);
         relax.set_aside();
         relax.forget();
+        let none_is_light = relax.none_is_light;
+        let patience = if none_is_light { most_sweeps.min(PATIENCE).max(least_sweeps) } else { most_sweeps };
         let tolerance = S::from_f64(self.tolerance);
         let (mut before, mut met) = (S::ZERO, relax.sweep(physics.links, true));
-        let (mut sweeps, least) = (1, least_sweeps.max(memory.flicker.kept()));
+        let (mut sweeps, least) = (1, least_sweeps.max(memory.kept.number()));
         while sweeps < if met > S::ONE { most_sweeps } else { patience } && (sweeps < least || met > tolerance) {
             if let Some(start) = &start {
                 // between the sweeps, so that links answer to what a collider does to them
@@ -223,11 +224,9 @@ impl<const N: usize> Lines<N> {
             sweeps += 1;
         }
         relax.complete();
-        // the last sweep but one has met rows within a quarter of the tolerance
-        memory.flicker.learn(sweeps, least_sweeps, before < tolerance.halve(2));
-        if memory.flicker.kept() > 0 && !is_calm(particles, moment) {
-            memory.flicker.release();
-        }
+        // the last sweep but one found rows within a part of the tolerance
+        let plenty = before < tolerance.halve(5);
+        memory.kept = if is_calm(particles, moment) { memory.kept.after(sweeps, plenty) } else { Kept::NONE };
         physics.links.confine(particles, moment);
         if let Some(start) = &start {
             contact::resolve(physics.colliders, particles, start, &mut memory.earlier, moment, false);
@@ -238,8 +237,9 @@ impl<const N: usize> Lines<N> {
             pull.complete(physics.links, particles, started, axes, share);
         }
         memory.history = if met > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
-        // what is torn comes together by sweeps: shorter steps would throw it
-        Outcome { residual: if met > S::ONE { S::ZERO } else { met }, few: sweeps <= least_sweeps }
+        // what is overstretched comes together by sweeps: shorter steps would throw it
+        let residual = if met > S::ONE || !none_is_light { S::ZERO } else { met };
+        Outcome { residual, few: sweeps <= least_sweeps }
     }
 }
 
@@ -257,7 +257,7 @@ const fn spare<S: Scalar, L: Links<S>>(grids: usize) -> usize {
 }
 
 /// Whether no particle moves by more than a part of a cell in a substep. In motion one of the first does.
-#[inline(never)] // few substeps ask
+#[inline(never)] // one for all scenes
 fn is_calm<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, moment: Moment) -> bool {
     // fixed point holds no larger speeds than those of 512 substeps
     let most = S::from_f64(CALM).double(moment.shift.min(9));

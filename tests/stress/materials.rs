@@ -77,7 +77,7 @@ fn a_particle_a_thousand_times_as_heavy() {
             let kicked = Kicked { heavy: 1000.0, ..Kicked::new(stretch, frame) };
             // rows within the tolerance may move that particle's neighbours by a seventh of it in a substep
             let still = if frame < 0.01 { Lines::new().tolerance / 7.0 / frame } else { kicked.still };
-            let kicked = Kicked { still, ..kicked };
+            let kicked = Kicked { still: still.max(0.03), ..kicked };
             default_in::<f32, 8, 8>(&mut complaints, &what, &kicked);
             default_in::<f64, 8, 8>(&mut complaints, &what, &kicked);
             default_in::<Q24, 8, 8>(&mut complaints, &what, &kicked);

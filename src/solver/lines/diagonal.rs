@@ -273,7 +273,7 @@ mod tests {
         act: impl FnOnce(&Chain<'_, S, W, H>, &mut Particles<S, W, H>) -> T,
     ) -> T {
         let ordinary = Ordinary::new(particles);
-        let (heavy, span) = Heavy::new(particles, &ordinary.rows);
+        let (heavy, span, _) = Heavy::new(particles, &ordinary.rows);
         let rest = Rest::spanning(S::ONE, S::ONE);
         let strength = Quotient { dividend: S::ONE, divisor: S::from_f64(1e-3) };
         let (moment, rounding) = (MOMENT, MOMENT.rounding());

@@ -72,7 +72,7 @@ impl Split {
         // parts twice as long have residuals up to four times as large: half of the tolerance
         let easy = outcome.few && outcome.residual < tolerance.halve(3);
         self.easy = if easy { self.easy + 1 } else { 0 };
-        if outcome.residual > tolerance {
+        if outcome.residual > tolerance.double(1) {
             let most = longer(side) + most_sweeps.max(1).ilog2();
             self.halvings = (before + 2).min(most as u8);
         } else if self.easy == EASY {
