@@ -49,6 +49,10 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     pub const BLANK: Self = Self { particles: Particles::BLANK, hash: None };
 
     /// A flat sheet in the x-y plane: particle (0, 0) at `origin`, columns along x, rows along y.
+    ///
+    /// # Panics
+    /// If a particle would be beyond the range of the number type.
+    #[track_caller]
     pub fn lay(units: &Units, origin: Point) -> Self {
         let mut cloth = Self::BLANK;
         cloth.lay_here(units, origin);
@@ -56,6 +60,10 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     }
 
     /// An upright sheet in the x-z plane: row 0 on top, particle (0, 0) at `origin`.
+    ///
+    /// # Panics
+    /// If a particle would be beyond the range of the number type.
+    #[track_caller]
     pub fn hang(units: &Units, origin: Point) -> Self {
         let mut cloth = Self::BLANK;
         cloth.hang_here(units, origin);
@@ -63,18 +71,34 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     }
 
     /// Makes a [flat sheet](Self::lay) of it, whatever it was: at rest, no pins.
+    ///
+    /// # Panics
+    /// If a particle would be beyond the range of the number type.
+    #[track_caller]
     pub fn lay_here(&mut self, units: &Units, origin: Point) {
         self.spread(units, origin, |down| Vec3::new(S::ZERO, down, S::ZERO));
     }
 
     /// Makes an [upright sheet](Self::hang) of it, whatever it was: at rest, no pins.
+    ///
+    /// # Panics
+    /// If a particle would be beyond the range of the number type.
+    #[track_caller]
     pub fn hang_here(&mut self, units: &Units, origin: Point) {
         self.spread(units, origin, |down| Vec3::new(S::ZERO, S::ZERO, -down));
     }
 
+    #[track_caller]
     fn spread(&mut self, units: &Units, origin: Point, down: impl Fn(S) -> Vec3<S>) {
+        origin.check::<S>();
         let [across, along] = units.sides.map(S::from_f64);
         let origin = origin.to_vec();
+        let down_a_cell = down(along);
+        let steps = [(origin.x, across, W), (origin.y, down_a_cell.y, H), (origin.z, down_a_cell.z, H)];
+        assert!(
+            steps.into_iter().all(|(from, step, count)| does_not_wrap(from, step, count)),
+            "a place is not finite, or beyond the range of the number type"
+        );
         for node in Grid::<S, W, H>::nodes() {
             let place = down(along.times(node.row as i32));
             let place = origin + (place + Vec3::new(across.times(node.column as i32), S::ZERO, S::ZERO));
@@ -85,10 +109,17 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     }
 
     /// Makes border particles `factor` times as heavy as they are (`factor > 0`).
+    ///
+    /// # Panics
+    /// For any other factor, and in fixed point for one that leaves less than a 127th of a particle's mass.
+    #[track_caller]
     pub fn hem(&mut self, factor: S) {
+        assert!(factor > S::ZERO && factor.is_finite(), "a hem's factor is positive and finite");
         for node in Grid::<S, W, H>::nodes() {
             if is_border(node, W, H) {
-                self.inverse_mass[node] = self.inverse_mass[node].divide(factor);
+                let inverse_mass = self.inverse_mass[node].divide(factor);
+                assert!(S::FLOATS || inverse_mass < S::from_int(127), "a hem is too light for the number type");
+                self.inverse_mass[node] = inverse_mass;
             }
         }
     }
@@ -104,13 +135,24 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
     }
 
     /// Holds a particle where it is.
+    ///
+    /// # Panics
+    /// If the sheet has no such particle.
+    #[track_caller]
     pub fn pin(&mut self, node: Node) {
+        check_node::<W, H>(node);
         self.inverse_mass[node] = S::ZERO;
         self.velocity.set(node, Vec3::ZERO);
     }
 
     /// Lets a pinned particle go, with this inverse mass.
+    ///
+    /// # Panics
+    /// If the sheet has no such particle, or the inverse mass is negative or not finite.
+    #[track_caller]
     pub fn release(&mut self, node: Node, inverse_mass: S) {
+        check_node::<W, H>(node);
+        assert!(inverse_mass >= S::ZERO && inverse_mass.is_finite(), "an inverse mass is finite, zero or above");
         self.inverse_mass[node] = inverse_mass;
     }
 
@@ -153,6 +195,21 @@ impl<S: PartialEq, const W: usize, const H: usize> PartialEq for Cloth<S, W, H> 
     fn eq(&self, other: &Self) -> bool {
         self.particles == other.particles
     }
+}
+
+#[track_caller]
+const fn check_node<const W: usize, const H: usize>(node: Node) {
+    assert!(node.column < W && node.row < H, "the sheet has no particle in this column and row");
+}
+
+/// Whether places that follow one another along an axis stay in the range: fixed point would come back from its other end.
+fn does_not_wrap<S: Scalar>(from: S, step: S, count: usize) -> bool {
+    let mut place = from;
+    (1..count).all(|_| {
+        let before = place;
+        place += step;
+        place == before || ((place > before) == (step > S::ZERO) && place.is_finite())
+    })
 }
 
 /// Whether a node lies on the border of a grid of `columns` × `rows`.

@@ -12,6 +12,7 @@ use crate::grid::Node;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
+use crate::units::Length;
 use crate::vec3::Vec3;
 
 pub use capsule::Capsule;
@@ -79,6 +80,25 @@ impl<S: Scalar> Contact<S> {
         }
         Self { by: self.by - held_back(moved, self.normal, S::narrow(friction.product(self.depth))), friction, ..self }
     }
+}
+
+/// Radius and margin together, cells.
+#[track_caller]
+#[inline]
+fn reach<S: Scalar>(radius: Length, margin: Length) -> S {
+    radius.check_size::<S>();
+    margin.check_size::<S>();
+    let [radius, margin] = [radius, margin].map(|Length(cells)| S::from_f64(cells));
+    let reach = radius + margin;
+    assert!(reach >= radius && reach.is_finite(), "a length is beyond the range of the number type");
+    reach
+}
+
+/// Refuses what is no coefficient of friction.
+#[track_caller]
+#[inline]
+fn check_friction<S: Scalar>(friction: S) {
+    assert!(friction >= S::ZERO && friction.is_finite(), "a coefficient of friction is finite, zero or above");
 }
 
 /// What friction takes of a vector: all of it that is along the surface, but no more than the `grip`.

@@ -110,8 +110,13 @@ pub struct Gravity<S> {
 
 impl<S: Scalar> Gravity<S> {
     /// Gravity of this acceleration.
+    ///
+    /// # Panics
+    /// If it doesn't [fit](Acceleration::fits) the number type.
+    #[track_caller]
+    #[inline]
     pub fn new(acceleration: Acceleration) -> Self {
-        Self { gain: Vec3::from_f64(acceleration.0) }
+        Self { gain: Vec3::from_f64(acceleration.fits::<S>().0) }
     }
 }
 
@@ -135,7 +140,13 @@ pub struct Drag<S> {
 
 impl<S: Scalar> Drag<S> {
     /// Drag of this rate.
+    ///
+    /// # Panics
+    /// If it doesn't [fit](DragRate::fits) the number type.
+    #[track_caller]
+    #[inline]
     pub fn new(drag: DragRate) -> Self {
+        let drag = drag.fits::<S>();
         let [rate, decay, gain] = [drag.rate, drag.decay, drag.gain].map(S::from_f64);
         Self { slowdown: Slowdown { rate, decay, gain } }
     }

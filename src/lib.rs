@@ -51,8 +51,8 @@
 //!
 //! # Guarantees
 //!
-//! A step cannot fail. The same scene gives the same bits on every target, for every number type: only `+ − × ÷` and the square root are used, each
-//! rounded once, in one order. There is no unsafe code.
+//! A step cannot fail: what makes no sense is refused where a scene is put together, by the compiler in constants and with a panic elsewhere. The same scene
+//! gives the same bits on every target, for every number type: only `+ − × ÷` and the square root are used, each rounded once, in one order. There is no unsafe code.
 #![no_std]
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]

@@ -74,7 +74,13 @@ pub struct Quotient<S> {
 
 impl<S: Scalar> Quotient<S> {
     /// The nearest quotient.
+    ///
+    /// # Panics
+    /// If the strength doesn't [fit](Strength::fits) the number type.
+    #[track_caller]
+    #[inline]
     pub fn new(strength: Strength) -> Self {
+        let strength = strength.fits::<S>();
         Self { dividend: S::from_f64(strength.dividend), divisor: S::from_f64(strength.divisor) }
     }
 

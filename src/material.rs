@@ -95,6 +95,7 @@ impl Material {
     ///
     /// # Panics
     /// As [`Units::sheet`].
+    #[track_caller]
     pub const fn units(&self, particles: [usize; 2], size: [f64; 2], frame: f64, substeps: u32) -> Units {
         let across = if particles[0] > 1 { size[0] / (particles[0] - 1) as f64 } else { size[0] };
         let down = if particles[1] > 1 { size[1] / (particles[1] - 1) as f64 } else { size[1] };
@@ -108,6 +109,7 @@ impl Material {
     ///
     /// # Panics
     /// At compile time in a constant: where the material leaves no stiffness for stretch springs, because `fold` is too flat an angle for so small a cell.
+    #[track_caller]
     pub const fn springs(&self, units: &Units, fold: f64) -> Springs {
         let span = units.cell * fold;
         let bend = 16.0 * self.bend / (span * span);

@@ -47,6 +47,7 @@ use crate::link::Links;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
+use crate::scalar::fit::is_positive;
 use crate::solver::{Physics, Solver};
 use crate::units::Units;
 use crate::vec3::Vec3;
@@ -83,6 +84,10 @@ pub struct Resting<V> {
 
 impl<V> Resting<V> {
     /// `solver`, until the sheet is as still as `stillness` in these units.
+    ///
+    /// # Panics
+    /// At compile time in a constant: as [`Threshold::new`].
+    #[track_caller]
     pub const fn new(units: &Units, stillness: Stillness, solver: V) -> Self {
         Self { solver, threshold: Threshold::new(units, stillness) }
     }
@@ -101,8 +106,16 @@ pub struct Threshold {
 
 impl Threshold {
     /// The nearest threshold; a frame at least.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for a stillness that is not positive and finite.
+    #[track_caller]
     pub const fn new(units: &Units, stillness: Stillness) -> Self {
         let Stillness { speed, acceleration, time } = stillness;
+        assert!(
+            is_positive(speed) && is_positive(acceleration) && is_positive(time),
+            "a stillness is positive and finite"
+        );
         let scale = units.tick() / units.cell;
         // rounded up; the conversion saturates
         let frames = (time / units.frame) as u32;

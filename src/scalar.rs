@@ -6,6 +6,7 @@
 //! Only `+ − × ÷` and the square root are used, each rounded once and always in the same order, so every number type gives the same
 //! bits on every target.
 
+pub(crate) mod fit;
 mod fixed24;
 mod float;
 #[cfg(any(test, all(not(feature = "std"), target_abi = "eabihf")))]
@@ -166,10 +167,10 @@ pub trait Scalar:
     /// The root of the mean of `count` squares.
     fn root_mean(sum: Self::Sum, count: u32) -> Self;
 
-    /// Passes the number's bits, least significant byte first, to `hash`.
+    /// Passes the number's bits, least significant byte first, to `hash`. Floats that are undefined pass the same ones.
     fn bits(self, hash: impl FnMut(u8));
 
-    /// The number's bits, folded into 32.
+    /// The number's bits, folded into 32, as [`bits`](Self::bits) passes them.
     fn word(self) -> u32;
 
     /// Whether the number is neither infinite nor undefined; always true in fixed point.

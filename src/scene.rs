@@ -31,11 +31,20 @@ pub struct Scene<F, L, C, V> {
 
 impl<F, L, C, V> Scene<F, L, C, V> {
     /// A scene in these units.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for units that were put together by hand, of no substeps or more than 2²⁴.
+    #[track_caller]
     pub const fn new(units: &Units, forces: F, links: L, colliders: C, solver: V) -> Self {
+        units.check_substeps();
         Self { forces, links, colliders, solver, substeps: units.substeps, shift: units.shift() }
     }
 
     /// The solver's memory for a sheet at the start of its motion.
+    ///
+    /// # Panics
+    /// For a solver that makes no sense, as one of no sweeps.
+    #[track_caller]
     pub fn memory<S: Scalar, const W: usize, const H: usize>(&self) -> V::Memory<W, H>
     where
         V: Solver<S>,

@@ -6,6 +6,19 @@
 //!
 //! Every method of [`Units`] is a `const fn`: firmware evaluates it when it is compiled and links no float routine.
 //!
+//! What makes no sense is refused here, so that a step needs not look: a size that is not positive, a number that is not finite, a negative stiffness. It is an
+//! error of the compiler in a constant, and a panic elsewhere. What a number type does not represent to within a sixteenth is refused where it gets its type, as by
+//! [`Gravity::new`](crate::Gravity::new), or in a constant by `fits`:
+//!
+//! ```
+//! use kerchief::units::Acceleration;
+//! use kerchief::{Q24, Units};
+//!
+//! const UNITS: Units = Units::sheet([16, 16], [0.3, 0.3], 1e-3, 1.0 / 60.0, 8);
+//! const WEIGHT: Acceleration = UNITS.acceleration([0.0, 0.0, -9.81]).fits::<Q24>();
+//! assert_eq!(WEIGHT, UNITS.acceleration([0.0, 0.0, -9.81]));
+//! ```
+//!
 //! ```
 //! use kerchief::Units;
 //!
@@ -14,7 +27,11 @@
 //! ```
 
 use crate::scalar::Scalar;
+use crate::scalar::fit::{Fit, fit, is_finite, is_in_range, is_not_negative, is_positive};
 use crate::vec3::Vec3;
+
+/// The most substeps in a frame: of 2²⁴, one is the last place of a tick in fixed point and in `f32`.
+const MOST_SUBSTEPS: u32 = 1 << 24;
 
 /// How long a cell, a tick and a particle's mass are, and how a frame divides into substeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,16 +100,28 @@ impl Units {
     /// The units of a sheet of `[columns, rows]` particles, `[width, height]` in m, whose ordinary particle has `mass` (kg), that
     /// moves in frames of `frame` seconds divided into `substeps`.
     ///
+    /// A side without a second particle has no length: its size is ignored.
+    ///
     /// # Panics
-    /// At compile time in a constant: for a sheet without extent, time or mass.
+    /// At compile time in a constant: for a sheet whose size, mass or frame is not positive and finite, and for no substeps or more than 2²⁴.
+    #[track_caller]
     pub const fn sheet(particles: [usize; 2], size: [f64; 2], mass: f64, frame: f64, substeps: u32) -> Self {
-        let across = if particles[0] > 1 { size[0] / (particles[0] - 1) as f64 } else { 0.0 };
-        let down = if particles[1] > 1 { size[1] / (particles[1] - 1) as f64 } else { 0.0 };
+        let (across, down) = (spacing(particles[0], size[0]), spacing(particles[1], size[1]));
         let cell = if across > down { across } else { down };
         assert!(cell > 0.0, "a sheet needs two particles and a positive size");
-        assert!(mass > 0.0, "a particle needs a positive mass");
-        assert!(frame > 0.0 && substeps > 0, "a frame needs a positive length and one substep at least");
-        Self { cell, sides: [across / cell, down / cell], mass, frame, substeps }
+        assert!(is_finite(cell), "a sheet needs a finite size");
+        assert!(is_positive(mass), "a particle needs a positive mass");
+        assert!(is_positive(frame) && substeps > 0, "a frame needs a positive length and one substep at least");
+        let units = Self { cell, sides: [across / cell, down / cell], mass, frame, substeps };
+        units.check_substeps();
+        units
+    }
+
+    /// Refuses numbers of substeps that no solver can count, in units that were put together by hand.
+    #[track_caller]
+    pub(crate) const fn check_substeps(&self) {
+        assert!(self.substeps > 0, "a frame needs a positive length and one substep at least");
+        assert!(self.substeps <= MOST_SUBSTEPS, "a frame has at most 16777216 substeps");
     }
 
     /// A substep, s.
@@ -111,32 +140,63 @@ impl Units {
     }
 
     /// A length in m.
+    ///
+    /// # Panics
+    /// At compile time in a constant, as all methods below: for what is not finite.
+    #[track_caller]
     pub const fn length(&self, metres: f64) -> Length {
+        check([metres]);
         Length(metres / self.cell)
     }
 
     /// A place in m.
+    #[track_caller]
     pub const fn point(&self, metres: [f64; 3]) -> Point {
+        check(metres);
+        self.place(metres)
+    }
+
+    /// The same for places that may be anything, as of a sheet that has exploded.
+    pub(crate) const fn place(&self, metres: [f64; 3]) -> Point {
         Point(scaled(metres, 1.0 / self.cell))
     }
 
-    /// A velocity in m/s.
-    pub const fn velocity(&self, metres_per_second: [f64; 3]) -> Velocity {
+    /// The same for such velocities.
+    pub(crate) const fn motion(&self, metres_per_second: [f64; 3]) -> Velocity {
         Velocity(scaled(metres_per_second, self.tick() / self.cell))
     }
 
+    /// A velocity in m/s.
+    #[track_caller]
+    pub const fn velocity(&self, metres_per_second: [f64; 3]) -> Velocity {
+        check(metres_per_second);
+        self.motion(metres_per_second)
+    }
+
     /// An acceleration in m/s².
+    #[track_caller]
     pub const fn acceleration(&self, metres_per_second2: [f64; 3]) -> Acceleration {
+        check(metres_per_second2);
         Acceleration(scaled(metres_per_second2, self.substep() * self.tick() / self.cell))
     }
 
-    /// A spring's stiffness in N/m.
+    /// A spring's stiffness in N/m; infinity is rigid.
+    ///
+    /// # Panics
+    /// At compile time in a constant: if it is negative or undefined.
+    #[track_caller]
     pub const fn stiffness(&self, newtons_per_metre: f64) -> Strength {
+        assert!(is_not_negative(newtons_per_metre), "a stiffness is zero or above");
         Strength::new(newtons_per_metre * self.substep() * self.substep() / self.mass)
     }
 
     /// A spring's compliance in m/N; zero is rigid.
+    ///
+    /// # Panics
+    /// At compile time in a constant: if it is negative or undefined.
+    #[track_caller]
     pub const fn compliance(&self, metres_per_newton: f64) -> Strength {
+        assert!(is_not_negative(metres_per_newton), "a compliance is zero or above");
         if metres_per_newton == 0.0 {
             return Strength { dividend: 1.0, divisor: 0.0 };
         }
@@ -144,12 +204,22 @@ impl Units {
     }
 
     /// A link's damping in N·s/m.
+    ///
+    /// # Panics
+    /// At compile time in a constant: if it is negative or undefined.
+    #[track_caller]
     pub const fn damping(&self, newton_seconds_per_metre: f64) -> Strength {
+        assert!(is_not_negative(newton_seconds_per_metre), "a damping is zero or above");
         Strength::new(newton_seconds_per_metre * self.substep() / self.mass)
     }
 
     /// A sheet's drag γ in 1/s.
+    ///
+    /// # Panics
+    /// At compile time in a constant: if it is negative or not finite.
+    #[track_caller]
     pub const fn drag(&self, per_second: f64) -> DragRate {
+        assert!(is_finite(per_second) && is_not_negative(per_second), "a drag is finite, zero or above");
         let rate = per_second * self.substep();
         let decay = exp_minus(rate);
         // where the quotient loses its digits, its series has them all
@@ -159,18 +229,32 @@ impl Units {
 
     /// The drag that multiplies the displacement of a frame by `1 − fraction`, `0 ≤ fraction < 1`: position Verlet's damping
     /// factor.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for any other fraction.
+    #[track_caller]
     pub const fn verlet_damping(&self, fraction: f64) -> DragRate {
+        assert!(fraction >= 0.0 && fraction < 1.0, "a damping factor is at least 0 and below 1");
         self.drag(minus_ln(1.0 - fraction) / self.frame)
     }
 
     /// Wind of the facet model, m/s.
+    #[track_caller]
     pub const fn facet_wind(&self, metres_per_second: [f64; 3]) -> Airflow {
+        check(metres_per_second);
         let gain = self.cell * self.substep() * self.tick() / self.mass;
         Airflow { wind: scaled(metres_per_second, gain), pressure: 0.0 }
     }
 
     /// Wind of the aerodynamic model: velocity in m/s, the air's density in kg/m³, the drag coefficient of a plate across the flow.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for what is not finite, and if density or coefficient is negative.
+    #[track_caller]
     pub const fn aerodynamic_wind(&self, metres_per_second: [f64; 3], density: f64, drag_coefficient: f64) -> Airflow {
+        check([density, drag_coefficient]);
+        assert!(is_not_negative(density), "a density is zero or above");
+        assert!(is_not_negative(drag_coefficient), "a drag coefficient is zero or above");
         // ½·ρ·c·A·u², A = |n|/2 for the triangle's normal n = (b−a)×(c−a), a third of it on each corner
         let wind = self.velocity(metres_per_second).0;
         let pressure = density * drag_coefficient * self.cell * self.cell * self.cell * self.substep()
@@ -179,7 +263,111 @@ impl Units {
     }
 }
 
+/// What a type does not represent is refused in these words.
+#[track_caller]
+#[inline(always)]
+const fn check_fit<S: Scalar, const N: usize>(values: [f64; N]) {
+    match fit::<S, N>(values) {
+        Fit::Well => {}
+        Fit::TooLarge => panic!("a constant of the scene is not finite, or too large for its number type"),
+        Fit::AsZero | Fit::Coarsely => panic!(
+            "a constant of the scene is too small for its number type, which would change it by more than a sixteenth: take fewer substeps or a float"
+        ),
+    }
+}
+
+impl Velocity {
+    /// The same velocity, which `S` represents.
+    ///
+    /// # Panics
+    /// At compile time in a constant: where rounding would change it by more than a sixteenth, or `S` has no number as large.
+    #[track_caller]
+    #[inline(always)]
+    #[must_use]
+    pub const fn fits<S: Scalar>(self) -> Self {
+        check_fit::<S, 3>(self.0);
+        self
+    }
+}
+
+impl Acceleration {
+    /// The same acceleration, which `S` represents.
+    ///
+    /// # Panics
+    /// At compile time in a constant: where rounding would change it by more than a sixteenth, or `S` has no number as large.
+    #[track_caller]
+    #[inline(always)]
+    #[must_use]
+    pub const fn fits<S: Scalar>(self) -> Self {
+        check_fit::<S, 3>(self.0);
+        self
+    }
+}
+
+impl DragRate {
+    /// The same drag, which `S` represents.
+    ///
+    /// # Panics
+    /// At compile time in a constant: where rounding would change it by more than a sixteenth, or `S` has no number as large; and if it is negative.
+    #[track_caller]
+    #[inline(always)]
+    #[must_use]
+    pub const fn fits<S: Scalar>(self) -> Self {
+        let Self { rate, decay, gain } = self;
+        assert!(
+            is_not_negative(rate) && is_not_negative(decay) && is_not_negative(gain),
+            "a drag is finite, zero or above"
+        );
+        check_fit::<S, 1>([rate]);
+        // of a strong drag nothing may be left
+        check_fit::<S, 3>([1.0, decay, gain]);
+        self
+    }
+}
+
+impl Airflow {
+    /// The same wind, which `S` represents.
+    ///
+    /// # Panics
+    /// At compile time in a constant: where rounding would change it by more than a sixteenth, or `S` has no number as large; and for negative pressures.
+    #[track_caller]
+    #[inline(always)]
+    #[must_use]
+    pub const fn fits<S: Scalar>(self) -> Self {
+        assert!(is_not_negative(self.pressure), "a wind's pressure is zero or above");
+        check_fit::<S, 3>(self.wind);
+        check_fit::<S, 1>([self.pressure]);
+        self
+    }
+}
+
+impl Length {
+    /// Refuses what is no size of a thing, or larger than the range of `S`.
+    #[track_caller]
+    #[inline(always)]
+    pub(crate) const fn check_size<S: Scalar>(self) {
+        assert!(is_not_negative(self.0), "a radius or margin is zero or above");
+        assert!(is_in_range::<S>(self.0), "a length is beyond the range of the number type");
+    }
+}
+
 impl Strength {
+    /// The same strength, which `S` represents. A spring that is rigid to `S` fits.
+    ///
+    /// # Panics
+    /// At compile time in a constant: where rounding would change it by more than a sixteenth, and if it is negative.
+    #[track_caller]
+    #[inline(always)]
+    #[must_use]
+    pub const fn fits<S: Scalar>(self) -> Self {
+        let Self { dividend, divisor } = self;
+        assert!(is_not_negative(dividend) && is_not_negative(divisor), "a strength is zero or above");
+        check_fit::<S, 1>([dividend]);
+        // 1/κ is added to inverse masses, beside which a small one does not count
+        check_fit::<S, 2>([1.0, divisor]);
+        self
+    }
+
     const fn new(strength: f64) -> Self {
         if strength > 1.0 {
             Self { dividend: 1.0, divisor: 1.0 / strength }
@@ -195,9 +383,39 @@ impl Strength {
 }
 
 impl Point {
+    /// Refuses places beyond the range of `S`.
+    #[track_caller]
+    #[inline(always)]
+    pub(crate) const fn check<S: Scalar>(self) {
+        let [x, y, z] = self.0;
+        assert!(
+            is_in_range::<S>(x) && is_in_range::<S>(y) && is_in_range::<S>(z),
+            "a place is not finite, or beyond the range of the number type"
+        );
+    }
+
     /// The nearest vector.
     pub fn to_vec<S: Scalar>(self) -> Vec3<S> {
         Vec3::from_f64(self.0)
+    }
+}
+
+/// The distance of so many particles on a side; none where one has no neighbour.
+#[track_caller]
+const fn spacing(particles: usize, size: f64) -> f64 {
+    if particles < 2 {
+        return 0.0;
+    }
+    assert!(size > 0.0, "a sheet needs two particles and a positive size");
+    size / (particles - 1) as f64
+}
+
+#[track_caller]
+const fn check<const N: usize>(values: [f64; N]) {
+    let mut k = 0;
+    while k < N {
+        assert!(is_finite(values[k]), "numbers of a scene are finite");
+        k += 1;
     }
 }
 

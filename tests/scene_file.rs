@@ -1,7 +1,9 @@
 //! Scene files: what a good one means, and the line that a bad one gets.
 
-use kerchief::Stillness;
-use kerchief::host::{BUILT_IN, DEFAULT_SCENE, Description, Pose, SHAPES, SolverKind, Weave, WindModel, built_in};
+use kerchief::host::{
+    BUILT_IN, DEFAULT_SCENE, Description, Everything, Pose, SHAPES, SolverKind, Weave, WindModel, built_in,
+};
+use kerchief::{Q24, Scalar, Stillness};
 
 /// A good scene that names every key, for the tests to spoil.
 const GOOD: &str = r##"
@@ -398,6 +400,37 @@ fn names_and_places_that_do_not_exist() {
     ]);
 }
 
+/// Serde would take a table with the name as its key.
+#[test]
+fn names_that_are_tables() {
+    all_refused(&[
+        ("kind = \"leapfrog\"", "kind = {lines = {}}", "solver.kind", "invalid type: table, expected a string"),
+        ("pose = \"lay\"", "pose = {lay = {}}", "cloth.pose", "invalid type: table, expected a string"),
+        ("model = \"aerodynamic\"", "model = {facet = 1}", "environment.wind.model", "invalid type: table"),
+        ("\"checks\"", "{checks = {}}", "picture.pattern", "invalid type: table, expected a string"),
+        ("kind = \"leapfrog\"", "kind = 3", "solver.kind", "invalid type: integer `3`, expected a string"),
+    ]);
+}
+
+/// A chain has no width, whatever the file says; a sheet has.
+#[test]
+fn a_chain_ignores_its_width() {
+    let chain = "[cloth]\ncolumns = 1\nrows = 32\nwidth = W\nheight = 1\nmass = 1\n";
+    for width in ["0.0", "-1.0", "3.0"] {
+        let scene = Description::parse(&chain.replace('W', width)).unwrap();
+        assert_eq!(scene.sheet.width, 0.0, "{width}");
+    }
+    refused(&chain.replace('W', "nan"), "cloth.width", "must be finite");
+    refused(&spoilt("width = 2.3", "width = -1"), "cloth.width", "must be above zero, is -1");
+}
+
+/// In memory each value takes some hundred times as many bytes as in the file.
+#[test]
+fn files_of_too_many_values() {
+    let pins = format!("pins = [{}[23, 15]]", "[0, 0], ".repeat(200_000));
+    refused(&spoilt("pins = [[0, 0], [23, 15], [0, 0]]", &pins), "line 12", "more than 262144 values");
+}
+
 #[test]
 fn text_that_is_not_toml() {
     refused("name = \"x\"\n[cloth\ncolumns = 4\n", "line 2", "unclosed table");
@@ -408,4 +441,84 @@ fn text_that_is_not_toml() {
     refused("[cloth]\nrows =\n", "line 2", "must be quoted");
     refused("# a comment\n\nrows 4\n", "line 3", "expected");
     refused("{\"json\": true}", "line 1", "expected");
+}
+
+/// A scene that says everything, for a grid that a test may compile.
+const SMALL: &str = r#"
+[cloth]
+columns = 4
+rows = 4
+width = 1.25
+height = 1.5
+density = 0.75
+hem = 2.5
+origin = [-0.5, 0.25, 0.375]
+pins = [[0, 0]]
+[stretch]
+stiffness = 100.5
+damping = 0.125
+[shear]
+compliance = 0.0625
+[bend]
+stiffness = 1.75
+damping = 0.0625
+[tether]
+slack = 0.5
+[environment]
+gravity = [0.5, 0.25, -9.75]
+drag = 0.5
+wind = { velocity = [5.5, 0.25, -3.5], model = "aerodynamic", density = 1.25, drag_coefficient = 1.5 }
+[[sphere]]
+centre = [1.5, 2.5, 3.5]
+radius = 0.5
+margin = 0.125
+friction = 0.25
+velocity = [0.5, 1.25, 0.5]
+[[plane]]
+point = [0.5, 0.25, -1.5]
+normal = [0.5, 3.5, 4.5]
+margin = 0.125
+friction = 0.25
+[[capsule]]
+a = [0.5, 0.25, -2.5]
+b = [0.5, 0.25, -3.5]
+radius = 0.5
+margin = 0.125
+friction = 0.25
+[solver]
+step = 0.0625
+tolerance = 0.015625
+strain_limit = 0.125
+[rest]
+speed = 0.0078125
+acceleration = 0.0078125
+time = 2.5
+"#;
+
+/// Whatever a number is, the scene is refused in a line or moves.
+#[test]
+fn no_number_in_a_file_is_a_panic() {
+    fn check<S: Scalar + Send>(text: &str) -> bool {
+        let Ok(scene) = Description::parse(text) else { return false };
+        let Ok(mut simulation) = scene.simulation_on::<Everything, S, 4, 4>() else { return false };
+        simulation.frame();
+        let _ = simulation.explosion();
+        true
+    }
+    let mut played = 0;
+    for (start, _) in SMALL.match_indices('.') {
+        let digits = |c: char| c.is_ascii_digit();
+        let from = SMALL[..start].trim_end_matches(digits).len();
+        let length = 1 + SMALL[start + 1..].find(|c| !digits(c)).unwrap();
+        for number in [
+            "1e308", "1.7e308", "1e300", "1e154", "1e39", "1e20", "1e9", "128", "127.5", "62.99", "1e-9", "1e-39",
+            "1e-308", "5e-324",
+        ] {
+            let text = format!("{}{number}{}", &SMALL[..from], &SMALL[start + length..]);
+            let accepted = [check::<f32>(&text), check::<f64>(&text), check::<Q24>(&text)];
+            played += accepted.into_iter().filter(|accepted| *accepted).count();
+        }
+    }
+    assert!(check::<f32>(SMALL) && check::<f64>(SMALL) && check::<Q24>(SMALL));
+    assert!(played > 100, "{played} scenes were played");
 }

@@ -1,5 +1,6 @@
 //! The command line.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Parser, value_parser};
@@ -9,13 +10,17 @@ use console::{scalar_kind, solver_kind};
 
 /// Runs a scene of cloth: writes an animation and a report, or opens a window.
 #[derive(Debug, Parser)]
+///
+/// Exit status: 0; 2 if the scene or an option is refused, and nothing written; 3 if the sheet exploded: a number that is not finite, a particle further
+/// than a million sheet sizes from the start, or one that left the range of fixed point. What was recorded is written all the same, and the report says
+/// finite: false. A signal ends the program with 128 and the signal's number.
 #[command(name = "simulate", version)]
 // One for each flag.
 #[allow(clippy::struct_excessive_bools)]
 pub(crate) struct Args {
     /// A scene file, or a built-in scene: gravity, sphere, wind, no-shear, flag, curtain, drape
     #[arg(default_value = DEFAULT_SCENE)]
-    pub(crate) scene: String,
+    pub(crate) scene: OsString,
     /// Number type
     #[arg(long, value_name = "TYPE", default_value = ScalarKind::F32.name(), value_parser = scalar_kind())]
     pub(crate) scalar: ScalarKind,

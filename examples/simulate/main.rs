@@ -4,6 +4,7 @@ mod animation;
 mod args;
 mod pictures;
 mod report;
+mod spool;
 #[cfg(feature = "window")]
 mod window;
 
@@ -16,27 +17,28 @@ use instances::simulation;
 use kerchief::host::{BUILT_IN, Still};
 
 use args::Args;
-use console::progress;
 use console::staging::{self, Complete, Staged};
+use console::{Failure, printable, progress};
 use pictures::Album;
 use report::Watch;
 
 fn main() -> ExitCode {
-    console::exit(console::read().and_then(|args: Args| run(&args)))
+    console::exit(console::read().map_err(Failure::Refused).and_then(|args: Args| run(&args)))
 }
 
-fn run(args: &Args) -> Result<(), String> {
+fn run(args: &Args) -> Result<(), Failure> {
     let (_, mut scene) = console::load(&args.scene, BUILT_IN)?;
     args.override_scene(&mut scene);
     if args.window {
         #[cfg(feature = "window")]
-        return window::run(scene, args.scalar);
+        return Ok(window::run(scene, args.scalar)?);
         #[cfg(not(feature = "window"))]
-        return Err("--window: built without the cargo feature `window`; add --features window".to_string());
+        return Err("--window: built without the cargo feature `window`; add --features window".to_string().into());
     }
-    let mut simulation = simulation(&scene, args.scalar).map_err(|error| format!("{}: {error}", args.scene))?;
+    let mut simulation =
+        simulation(&scene, args.scalar).map_err(|error| format!("{}: {error}", args.scene.display()))?;
     staging::prepare(&args.out)?;
-    let mut album = (args.animation() || args.png).then(|| Album::new(&scene));
+    let mut album = Album::new(&scene, &args.out, args.animation(), args.png)?;
     // Before anything is computed, because its place may be taken.
     let mut report_file = Staged::create(&args.out, "report.json")?;
     let mut positions = args.csv.then(|| Positions::create(&args.out)).transpose()?;
@@ -44,10 +46,7 @@ fn run(args: &Args) -> Result<(), String> {
         if let Some(positions) = &mut positions {
             positions.record(frame, &still, scene.sheet.columns)?;
         }
-        if let Some(album) = &mut album {
-            album.add(frame, still);
-        }
-        Ok::<_, String>(())
+        album.add(frame, &still)
     };
 
     let mut watch = Watch::start(&*simulation);
@@ -65,19 +64,7 @@ fn run(args: &Args) -> Result<(), String> {
     bar.finish_and_clear();
     let report = watch.report(&*simulation, &scene, args.scalar);
 
-    let mut files = Vec::new();
-    if let Some(album) = album {
-        if args.animation() {
-            let bar = progress("pictures", 0);
-            files.push(album.animation(&args.out, &bar)?);
-            bar.finish_and_clear();
-        }
-        if args.png {
-            let bar = progress("pictures", 0);
-            files.extend(album.pictures(&args.out, &bar)?);
-            bar.finish_and_clear();
-        }
-    }
+    let mut files = album.develop(&progress("pictures", 0))?;
     if let Some(positions) = positions {
         files.push(positions.complete()?);
     }
@@ -86,8 +73,9 @@ fn run(args: &Args) -> Result<(), String> {
     report_file.named(written)?;
     files.push(report_file.complete()?);
     staging::finish(files)?;
-    let _ = writeln!(io::stdout(), "{report}\nwritten to        {}", args.out.display());
-    Ok(())
+    let out = args.out.display().to_string();
+    let _ = writeln!(io::stdout(), "{report}\nwritten to        {}", printable(&out));
+    report.explosion().map_or(Ok(()), |explosion| Err(Failure::Exploded(explosion)))
 }
 
 /// `positions.csv`.

@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use indicatif::ProgressBar;
-use kerchief::host::{Description, Still};
+use kerchief::host::{Bounds, Description, Still};
 use rayon::prelude::*;
 
 use crate::animation::{Animation, Palette};
+use crate::spool::Spool;
 use console::staging::{Complete, Staged};
 use console::studio::Studio;
 
@@ -21,82 +22,121 @@ const SAMPLES: usize = 8;
 /// Pictures drawn at once.
 const BATCH: usize = 16;
 
-/// What was recorded of a run.
+/// What was recorded of a run. Moments are on the disk, since where the camera stands and which colours an animation has is known at the end only.
 #[derive(Debug)]
 pub(crate) struct Album<'a> {
     scene: &'a Description,
-    stills: Vec<(u32, Still)>,
+    directory: &'a Path,
+    /// Whether there will be an animation, and a picture of each moment.
+    animation: bool,
+    pictures: bool,
+    seen: Bounds,
+    spool: Spool,
+    /// The moments that the animation shows, as numbers of the spool.
+    shown: Vec<usize>,
+    /// The last moment, where it is not on the spool.
+    last: Option<(u32, Still)>,
 }
 
 impl<'a> Album<'a> {
-    /// An empty album.
-    pub(crate) fn new(scene: &'a Description) -> Self {
-        Self { scene, stills: Vec::new() }
+    /// An empty album for an animation, for pictures, for both or for nothing, in `directory`.
+    pub(crate) fn new(
+        scene: &'a Description,
+        directory: &'a Path,
+        animation: bool,
+        pictures: bool,
+    ) -> Result<Self, String> {
+        let (seen, spool) = (Bounds::new(scene), Spool::new(directory)?);
+        Ok(Self { scene, directory, animation, pictures, seen, spool, shown: Vec::new(), last: None })
     }
 
     /// Adds the moment at the end of a frame.
-    pub(crate) fn add(&mut self, frame: u32, still: Still) {
-        self.stills.push((frame, still));
+    pub(crate) fn add(&mut self, frame: u32, still: &Still) -> Result<(), String> {
+        if !(self.animation || self.pictures) {
+            return Ok(());
+        }
+        self.seen.include(self.scene, still);
+        let before = self.shown.last().map(|&index| self.spool.frames[index]);
+        let is_due = |before| f64::from(frame - before) * self.scene.solver.step > 0.999 * SPACING;
+        let is_shown = self.animation && before.is_none_or(is_due);
+        if is_shown {
+            self.shown.push(self.spool.frames.len());
+        }
+        if is_shown || self.pictures {
+            self.last = None;
+            return self.spool.push(frame, still);
+        }
+        self.last = Some((frame, still.clone()));
+        Ok(())
     }
 
-    fn studio(&self) -> Result<Studio<'a>, String> {
-        let stills = self.stills.iter().map(|(_, still)| still);
-        Studio::new(self.scene, stills, SIDE)
+    /// Draws everything: `animation.gif`, which runs as fast as the scene, and `frame-NNNNN.png` for each moment.
+    pub(crate) fn develop(mut self, bar: &ProgressBar) -> Result<Vec<Complete>, String> {
+        if let Some((frame, still)) = self.last.take() {
+            self.spool.push(frame, &still)?;
+        }
+        let studio = Studio::within(self.scene, self.seen, SIDE)?;
+        let mut files = Vec::new();
+        if self.animation {
+            // ends with the end, be it a little longer than the others before it
+            let end = self.spool.frames.len() - 1;
+            if self.shown.last() != Some(&end) {
+                self.shown.truncate((self.shown.len() - 1).max(1));
+                self.shown.push(end);
+            }
+            files.push(self.animate(&studio, bar)?);
+        }
+        if self.pictures {
+            files.extend(self.print(&studio, bar)?);
+        }
+        bar.finish_and_clear();
+        Ok(files)
     }
 
-    /// `animation.gif`, which runs as fast as the scene.
-    pub(crate) fn animation(&self, directory: &Path, bar: &ProgressBar) -> Result<Complete, String> {
-        let studio = self.studio()?;
-        let step = self.scene.solver.step;
-        let mut shown: Vec<&(u32, Still)> = Vec::new();
-        for moment in &self.stills {
-            let is_due = |before: &&(u32, Still)| f64::from(moment.0 - before.0) * step > 0.999 * SPACING;
-            if shown.last().is_none_or(is_due) {
-                shown.push(moment);
-            }
-        }
-        // ends with the end, be it a little longer than the others before it
-        if let (Some(end), Some(last)) = (self.stills.last(), shown.last()) {
-            if end.0 > last.0 {
-                shown.truncate((shown.len() - 1).max(1));
-                shown.push(end);
-            }
-        }
-        let samples: Vec<_> = shown.iter().step_by(shown.len().div_ceil(SAMPLES)).collect();
-        let samples: Vec<_> = samples.par_iter().map(|(_, still)| studio.picture(still)).collect();
+    fn animate(&mut self, studio: &Studio<'_>, bar: &ProgressBar) -> Result<Complete, String> {
+        let shown = &self.shown;
+        let samples: Vec<_> = shown.iter().copied().step_by(shown.len().div_ceil(SAMPLES)).collect();
+        let draw = |stills: Vec<(u32, Still)>| stills.par_iter().map(|(_, still)| studio.picture(still)).collect();
+        let samples: Vec<_> = draw(self.spool.read(&samples)?);
         let palette = Palette::of(&samples);
 
-        let mut file = Staged::create(directory, "animation.gif")?;
+        let mut file = Staged::create(self.directory, "animation.gif")?;
         let result = (|| {
-            let mut animation = Animation::new(&mut file, SIDE as u16, SIDE as u16, &palette)?;
-            bar.set_length(shown.len() as u64);
-            for (batch, moments) in shown.chunks(BATCH).enumerate() {
-                let pictures: Vec<_> = moments.par_iter().map(|(_, still)| studio.picture(still)).collect();
-                for (index, picture) in pictures.iter().enumerate() {
-                    let index = batch * BATCH + index;
-                    let next = shown.get(index + 1);
-                    animation.show(picture, next.map_or(LAST, |next| f64::from(next.0 - shown[index].0) * step))?;
+            let failed = |error: gif::EncodingError| error.to_string();
+            let mut animation = Animation::new(&mut file, SIDE as u16, SIDE as u16, &palette).map_err(failed)?;
+            let frames: Vec<_> = shown.iter().map(|&index| self.spool.frames[index]).collect();
+            let mut following = frames.windows(2).map(|pair| f64::from(pair[1] - pair[0]) * self.scene.solver.step);
+            bar.set_length(frames.len() as u64);
+            for batch in shown.chunks(BATCH) {
+                let pictures: Vec<_> = draw(self.spool.read(batch)?);
+                for picture in &pictures {
+                    animation.show(picture, following.next().unwrap_or(LAST)).map_err(failed)?;
                     bar.inc(1);
                 }
             }
-            Ok::<_, gif::EncodingError>(())
+            Ok::<_, String>(())
         })();
         file.named(result)?;
         file.complete()
     }
 
-    /// `frame-NNNNN.png` for each moment.
-    pub(crate) fn pictures(&self, directory: &Path, bar: &ProgressBar) -> Result<Vec<Complete>, String> {
-        let studio = self.studio()?;
-        bar.set_length(self.stills.len() as u64);
-        let pictures = self.stills.par_iter().map(|(frame, still)| {
-            let mut file = Staged::create(directory, &format!("frame-{frame:05}.png"))?;
-            let encoder = image::codecs::png::PngEncoder::new(&mut file);
-            let result = studio.picture(still).write_with_encoder(encoder);
-            file.named(result)?;
-            bar.inc(1);
-            file.complete()
-        });
-        pictures.collect()
+    fn print(&mut self, studio: &Studio<'_>, bar: &ProgressBar) -> Result<Vec<Complete>, String> {
+        let count = self.spool.frames.len();
+        bar.set_length(count as u64);
+        bar.set_position(0);
+        let mut files = Vec::new();
+        for first in (0..count).step_by(BATCH) {
+            let batch: Vec<_> = (first..count.min(first + BATCH)).collect();
+            let pictures = self.spool.read(&batch)?.into_par_iter().map(|(frame, still)| {
+                let mut file = Staged::create(self.directory, &format!("frame-{frame:05}.png"))?;
+                let encoder = image::codecs::png::PngEncoder::new(&mut file);
+                let result = studio.picture(&still).write_with_encoder(encoder);
+                file.named(result)?;
+                bar.inc(1);
+                file.complete()
+            });
+            files.extend(pictures.collect::<Result<Vec<_>, String>>()?);
+        }
+        Ok(files)
     }
 }

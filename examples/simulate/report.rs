@@ -3,7 +3,8 @@
 use std::fmt;
 use std::time::Duration;
 
-use kerchief::host::{Description, ScalarKind, Simulation, SolverKind, Strain, Strains};
+use console::printable;
+use kerchief::host::{Description, Explosion, ScalarKind, Simulation, SolverKind, Strain, Strains};
 use serde::Serialize;
 
 /// A number for each link family; nothing for a family that the scene does not have. What is not finite is `null` in JSON.
@@ -66,6 +67,8 @@ pub(crate) struct Report {
     energy_end: f64,
     digest: u32,
     finite: bool,
+    #[serde(skip)]
+    exploded: Option<(u32, Explosion)>,
 }
 
 /// Watches a run for its report.
@@ -78,6 +81,9 @@ pub(crate) struct Watch {
     rests: bool,
     energy_start: f64,
     solving: Duration,
+    frames: u32,
+    /// In which frame the sheet exploded first, and how. It stays exploded, even if it comes back.
+    exploded: Option<(u32, Explosion)>,
 }
 
 impl Watch {
@@ -89,6 +95,8 @@ impl Watch {
             rests: false,
             energy_start: simulation.energy(),
             solving: Duration::ZERO,
+            frames: 0,
+            exploded: None,
         };
         watch.look(simulation);
         watch
@@ -100,6 +108,8 @@ impl Watch {
         let rests = simulation.is_at_rest();
         self.at_rest += u32::from(rests && self.rests);
         self.rests = rests;
+        self.frames += 1;
+        self.exploded = self.exploded.or_else(|| simulation.explosion().map(|explosion| (self.frames, explosion)));
         self.look(simulation);
     }
 
@@ -133,15 +143,23 @@ impl Watch {
             energy_start: self.energy_start,
             energy_end: simulation.energy(),
             digest: simulation.digest(),
-            finite: simulation.is_finite(),
+            finite: self.exploded.is_none(),
+            exploded: self.exploded,
         }
+    }
+}
+
+impl Report {
+    /// When the sheet exploded, how, and where help is.
+    pub(crate) fn explosion(&self) -> Option<String> {
+        self.exploded.map(|(frame, limit)| format!("exploded in frame {frame}: {limit}; see docs/symptoms.md"))
     }
 }
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { scene, scalar, solver, columns, rows, frames, substeps, iterations, .. } = self;
-        writeln!(f, "scene             {scene}: {columns} x {rows} particles, {frames} frames")?;
+        writeln!(f, "scene             {}: {columns} x {rows} particles, {frames} frames", printable(scene))?;
         let relaxation = self.sweeps.map_or(format!("{iterations} iterations"), |sweeps| format!("{sweeps} sweeps"));
         writeln!(f, "solver            {solver} in {scalar}, {substeps} substeps, {relaxation}")?;
         if self.frames_at_rest > 0 {

@@ -1,6 +1,6 @@
 //! A rod with round ends.
 
-use crate::collider::{Collider, Contact};
+use crate::collider::{Collider, Contact, check_friction, reach};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -25,24 +25,34 @@ pub struct Capsule<S> {
 impl<S: Scalar> Capsule<S> {
     /// A capsule without friction around the segment from `a` to `b`; particles keep at `margin` from its surface. Where `a` equals
     /// `b` it is a sphere.
+    ///
+    /// # Panics
+    /// If the capsule is beyond the range of the number type or longer than it, or a length negative.
+    #[track_caller]
     pub fn new(a: Point, b: Point, radius: Length, margin: Length) -> Self {
+        a.check::<S>();
+        b.check::<S>();
         let (start, end): (Vec3<S>, Vec3<S>) = (a.to_vec(), b.to_vec());
         let segment = end - start;
+        // it wraps where it is longer than the range
+        let whole = |segment: S, end: S, start: S| segment == end.difference(start);
+        let whole =
+            whole(segment.x, end.x, start.x) && whole(segment.y, end.y, start.y) && whole(segment.z, end.z, start.z);
         let length = segment.length();
+        assert!(whole && length.is_finite(), "a capsule is longer than the range of the number type");
         let axis = if length == S::ZERO { Vec3::ZERO } else { segment.map(|component| component.divide(length)) };
         let middle = start.halve(1) + end.halve(1);
-        Self {
-            middle,
-            axis,
-            half: length.halve(1),
-            reach: S::from_f64(radius.0) + S::from_f64(margin.0),
-            friction: S::ZERO,
-        }
+        Self { middle, axis, half: length.halve(1), reach: reach(radius, margin), friction: S::ZERO }
     }
 
     /// The same capsule with friction.
+    ///
+    /// # Panics
+    /// If the coefficient is negative or not finite.
     #[must_use]
+    #[track_caller]
     pub fn with_friction(self, friction: S) -> Self {
+        check_friction(friction);
         Self { friction, ..self }
     }
 }

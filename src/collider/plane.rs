@@ -1,6 +1,6 @@
 //! A half-space: ground, wall, slope.
 
-use crate::collider::{Collider, Contact};
+use crate::collider::{Collider, Contact, check_friction};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -21,8 +21,15 @@ pub struct Plane<S> {
 
 impl<S: Scalar> Plane<S> {
     /// A plane without friction through `point` across `direction` (of any length but zero, up to 8); particles keep at `margin` from it.
+    ///
+    /// # Panics
+    /// If the direction is zero or not finite, a place or the margin beyond the range of the number type, or the margin negative.
+    #[track_caller]
     pub fn new(point: Point, direction: Vec3<S>, margin: Length) -> Self {
+        point.check::<S>();
+        margin.check_size::<S>();
         let length = direction.length();
+        assert!(length > S::ZERO && length.is_finite(), "a plane's normal is finite and not zero");
         let normal = direction.map(|component| component.divide(length));
         Self { point: point.to_vec(), normal, friction: S::ZERO, margin: S::from_f64(margin.0) }
     }
@@ -38,8 +45,13 @@ impl<S: Scalar> Plane<S> {
     }
 
     /// The same plane with friction.
+    ///
+    /// # Panics
+    /// If the coefficient is negative or not finite.
     #[must_use]
+    #[track_caller]
     pub fn with_friction(self, friction: S) -> Self {
+        check_friction(friction);
         Self { friction, ..self }
     }
 }

@@ -1,6 +1,6 @@
 //! A ball.
 
-use crate::collider::{Collider, Contact, gap};
+use crate::collider::{Collider, Contact, check_friction, gap, reach};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -22,21 +22,34 @@ pub struct Sphere<S> {
 
 impl<S: Scalar> Sphere<S> {
     /// A ball at rest without friction; particles keep at `margin` from its surface.
+    ///
+    /// # Panics
+    /// If the ball is beyond the range of the number type, or a length negative.
+    #[track_caller]
     pub fn new(centre: Point, radius: Length, margin: Length) -> Self {
-        let reach = S::from_f64(radius.0) + S::from_f64(margin.0);
-        Self { centre: centre.to_vec(), velocity: Vec3::ZERO, friction: S::ZERO, reach }
+        centre.check::<S>();
+        Self { centre: centre.to_vec(), velocity: Vec3::ZERO, friction: S::ZERO, reach: reach(radius, margin) }
     }
 
     /// The same ball with friction.
+    ///
+    /// # Panics
+    /// If the coefficient is negative or not finite.
     #[must_use]
+    #[track_caller]
     pub fn with_friction(self, friction: S) -> Self {
+        check_friction(friction);
         Self { friction, ..self }
     }
 
     /// The same ball in motion.
+    ///
+    /// # Panics
+    /// If the velocity doesn't [fit](Velocity::fits) the number type.
     #[must_use]
+    #[track_caller]
     pub fn with_velocity(self, velocity: Velocity) -> Self {
-        Self { velocity: Vec3::from_f64(velocity.0), ..self }
+        Self { velocity: Vec3::from_f64(velocity.fits::<S>().0), ..self }
     }
 }
 

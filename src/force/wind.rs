@@ -18,8 +18,13 @@ pub struct FacetWind<S> {
 
 impl<S: Scalar> FacetWind<S> {
     /// Wind from [`Units::facet_wind`](crate::Units::facet_wind).
+    ///
+    /// # Panics
+    /// If it doesn't [fit](Airflow::fits) the number type.
+    #[track_caller]
+    #[inline]
     pub fn new(airflow: Airflow) -> Self {
-        Self { wind: Vec3::from_f64(airflow.wind) }
+        Self { wind: Vec3::from_f64(airflow.fits::<S>().wind) }
     }
 }
 
@@ -70,7 +75,13 @@ pub struct AerodynamicWind<S> {
 
 impl<S: Scalar> AerodynamicWind<S> {
     /// Wind from [`Units::aerodynamic_wind`](crate::Units::aerodynamic_wind).
+    ///
+    /// # Panics
+    /// If it doesn't [fit](Airflow::fits) the number type.
+    #[track_caller]
+    #[inline]
     pub fn new(airflow: Airflow) -> Self {
+        let airflow = airflow.fits::<S>();
         Self { wind: Vec3::from_f64(airflow.wind), pressure: S::from_f64(airflow.pressure) }
     }
 }

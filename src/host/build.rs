@@ -3,10 +3,10 @@
 use std::format;
 use std::vec::Vec;
 
-use super::choice::Pose;
+use super::choice::{Pose, SolverKind};
 use super::description::{Description, Spring};
 use super::error::SceneError;
-use super::fit::Fit;
+use super::fit::{Fit, finite};
 use super::parts::{Parts, Springs};
 use crate::cloth::Cloth;
 use crate::fingerprint::Fingerprint;
@@ -112,11 +112,12 @@ impl Description {
             cloth.share_area();
         }
         if let Some(hem) = sheet.hem {
-            cloth.hem(Fit::<S>::number("cloth.hem", hem)?);
+            let factor = Fit::<S>::number("cloth.hem", hem)?;
             // the inverse masses at both ends of a link: of a corner and its neighbour if particles share the area
             let most = if sheet.shares_area() { 4.0 + 2.0 } else { 2.0 };
             Fit::<S>::number("cloth.hem", most / hem)?;
             Fit::<S>::number("cloth.hem", 1.0 / hem)?;
+            cloth.hem(factor);
         }
         Ok(cloth)
     }
@@ -125,7 +126,7 @@ impl Description {
         let drag = match self.drag {
             Some(drag) => {
                 let rate = units.drag(drag.rate);
-                Fit::<S>::number(format!("environment.{}", drag.key), rate.rate)?;
+                Fit::<S>::constant(format!("environment.{}", drag.key), [rate.rate])?;
                 Some(Drag::new(rate))
             }
             None => None,
@@ -134,10 +135,12 @@ impl Description {
     }
 
     pub(super) fn links<S: Scalar + Send, P: Parts<S>>(&self, units: &Units) -> Result<SceneLinks<S, P>, SceneError> {
+        // A sweep of Verlet has its part of the stiffness.
+        let parts = if self.solver.kind == SolverKind::Verlet { self.solver.iterations } else { 1 };
         let springs = (
-            family::<S, P, _>(units, "stretch", self.stretch, Stretch::new)?,
-            family::<S, P, _>(units, "shear", self.shear, Shear::new)?,
-            family::<S, P, _>(units, "bend", self.bend, Bend::new)?,
+            family::<S, P, _>(units, "stretch", self.stretch, parts, Stretch::new)?,
+            family::<S, P, _>(units, "shear", self.shear, parts, Shear::new)?,
+            family::<S, P, _>(units, "bend", self.bend, parts, Bend::new)?,
         );
         let limit = match self.solver.strain_limit {
             Some(limit) => {
@@ -165,8 +168,9 @@ impl Description {
 
 /// The core's gravity, from m/s².
 pub(super) fn gravity<S: Scalar>(units: &Units, gravity: [f64; 3]) -> Result<Gravity<S>, SceneError> {
+    finite("environment.gravity", &gravity)?;
     let acceleration = units.acceleration(gravity);
-    Fit::<S>::vector("environment.gravity", acceleration.0)?;
+    Fit::<S>::constant("environment.gravity", acceleration.0)?;
     Ok(Gravity::new(acceleration))
 }
 
@@ -174,10 +178,13 @@ fn family<S: Scalar + Send, P: Parts<S>, L: Springs<S>>(
     units: &Units,
     table: &str,
     spring: Option<Spring>,
+    parts: u32,
     family: impl Fn(&Units, Strength) -> L,
 ) -> Result<Family<S, P, L>, SceneError> {
     let Some(spring) = spring else { return Ok(None) };
     let strength = units.stiffness(spring.stiffness);
-    Fit::<S>::number(format!("{table}.{}", spring.key), strength.dividend)?;
+    for strength in [strength, units.stiffness(spring.stiffness / f64::from(parts))] {
+        Fit::<S>::constant(format!("{table}.{}", spring.key), [strength.dividend])?;
+    }
     P::springs(units, table, family(units, strength), spring.damping).map(Some)
 }

@@ -68,14 +68,23 @@ fn plain(message: &str) -> String {
 
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // Quoted text of the file may hold line breaks; the message must not.
-        for part in [&self.key, ": ", &self.reason] {
-            for c in part.chars() {
-                if c.is_control() { write!(f, "{}", c.escape_default())? } else { write!(f, "{c}")? }
-            }
-        }
-        Ok(())
+        write!(f, "{}: {}", printable(&self.key), printable(&self.reason))
     }
 }
 
 impl core::error::Error for SceneError {}
+
+/// A text in which a terminal finds no command and a reader no surprise: what steers either is escaped, so that names of files, keys and scenes stay in their
+/// line and in their direction.
+pub fn printable(text: &str) -> String {
+    let is_hidden = |c: char| {
+        // separators of lines, marks of direction, and the mark of an order of bytes
+        c.is_control()
+            || matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{200e}' | '\u{200f}' | '\u{61c}' | '\u{feff}')
+    };
+    let mut line = String::with_capacity(text.len());
+    for c in text.chars() {
+        if is_hidden(c) { line.extend(c.escape_default()) } else { line.push(c) }
+    }
+    line
+}

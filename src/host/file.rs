@@ -2,16 +2,20 @@
 
 use core::fmt;
 use core::marker::PhantomData;
+use std::format;
 use std::string::String;
 use std::vec::Vec;
 
 use serde::Deserialize;
-use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer, StrDeserializer};
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
 use super::choice::{Pose, SolverKind, Weave};
 use super::error::SceneError;
 use super::quantity::{Colour, Count, Fraction, NonNegative, Number, Positive, Vector};
+
+/// The most that a file may hold, counted by what ends or begins a value, a key or a line. In memory each is some hundred times as long as in the file.
+const MOST_VALUES: usize = 1 << 18;
 
 /// A whole file.
 #[derive(Debug, Deserialize)]
@@ -44,6 +48,11 @@ pub(super) struct File {
 impl File {
     /// Reads the text of a scene file; every number it returns is finite and in its range.
     pub(super) fn parse(text: &str) -> Result<Self, SceneError> {
+        let mut ends = text.bytes().enumerate().filter(|(_, byte)| b",=[.\n".contains(byte));
+        if let Some((end, _)) = ends.nth(MOST_VALUES) {
+            let line = text[..end].matches('\n').count() + 1;
+            return Err(SceneError::new(format!("line {line}"), format!("more than {MOST_VALUES} values")));
+        }
         let document = toml::Deserializer::parse(text).map_err(|error| SceneError::from_syntax(text, &error))?;
         serde_path_to_error::deserialize(document).map_err(|error| SceneError::from_toml(text, &error))
     }
@@ -69,18 +78,38 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
     }
 }
 
+/// One of several names: left alone, serde takes a table with the name as its key as well.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Named<T>(pub(super) T);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Named<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Name<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Name<T> {
+            type Value = Named<T>;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a string")
+            }
+            fn visit_str<E: Error>(self, name: &str) -> Result<Named<T>, E> {
+                T::deserialize(StrDeserializer::new(name)).map(Named)
+            }
+        }
+        deserializer.deserialize_any(Name(PhantomData))
+    }
+}
+
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Cloth {
     pub(super) columns: Count,
     pub(super) rows: Count,
-    pub(super) width: Option<Positive>,
+    pub(super) width: Option<Number>,
     pub(super) height: Positive,
     pub(super) mass: Option<Positive>,
     pub(super) density: Option<Positive>,
     pub(super) hem: Option<Positive>,
     #[serde(default)]
-    pub(super) pose: Pose,
+    pub(super) pose: Named<Pose>,
     #[serde(default)]
     pub(super) origin: Vector,
     #[serde(default)]
@@ -157,7 +186,7 @@ pub(super) struct Environment {
 #[serde(deny_unknown_fields)]
 pub(super) struct Wind {
     pub(super) velocity: Vector,
-    pub(super) model: WindModel,
+    pub(super) model: Named<WindModel>,
     pub(super) density: Option<Positive>,
     pub(super) drag_coefficient: Option<NonNegative>,
 }
@@ -202,7 +231,7 @@ pub(super) struct Capsule {
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Solver {
-    pub(super) kind: Option<SolverKind>,
+    pub(super) kind: Option<Named<SolverKind>>,
     pub(super) step: Option<Positive>,
     pub(super) substeps: Option<Count>,
     pub(super) iterations: Option<Count>,
@@ -233,7 +262,7 @@ pub(super) struct Picture {
     pub(super) low: Option<Vector>,
     pub(super) high: Option<Vector>,
     #[serde(default)]
-    pub(super) pattern: Weave,
+    pub(super) pattern: Named<Weave>,
     pub(super) bands: Option<Count>,
     pub(super) colours: Option<Vec<Colour>>,
 }

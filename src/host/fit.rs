@@ -5,7 +5,7 @@ use std::format;
 use std::string::String;
 
 use super::error::SceneError;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, fit};
 
 /// The most a position may lose to rounding, cells.
 const BLUR: f64 = 1.0 / 256.0;
@@ -22,13 +22,22 @@ impl<S: Scalar> Fit<S> {
 
     /// Checks that `S` holds every component, and not all of them as zero.
     pub(super) fn vector<const N: usize>(key: impl Into<String>, values: [f64; N]) -> Result<[S; N], SceneError> {
-        // Undefined where an infinite factor met a zero: too large as well.
-        if !values.iter().all(|value| value.abs() <= S::LARGEST) {
-            return Err(Self::error(key, "too large"));
+        match fit::fit::<S, N>(values) {
+            // Undefined where an infinite factor met a zero: too large as well.
+            fit::Fit::TooLarge => Err(Self::error(key, "too large", "")),
+            fit::Fit::AsZero => Err(Self::error(key, "too small", "")),
+            fit::Fit::Coarsely | fit::Fit::Well => Ok(values.map(S::from_f64)),
         }
-        let numbers = values.map(S::from_f64);
-        let vanishes = values.iter().any(|value| *value != 0.0) && numbers.iter().all(|number| *number == S::ZERO);
-        if vanishes { Err(Self::error(key, "too small")) } else { Ok(numbers) }
+    }
+
+    /// Checks that `S` holds a constant of the sheet's motion, which rounding changes by a sixteenth of its largest component at most.
+    pub(super) fn constant<const N: usize>(key: impl Into<String>, values: [f64; N]) -> Result<[S; N], SceneError> {
+        match fit::fit::<S, N>(values) {
+            fit::Fit::Coarsely => {
+                Err(Self::error(key, "too small", ": rounding would change it by more than a sixteenth"))
+            }
+            _ => Self::vector(key, values),
+        }
     }
 
     /// Checks that `S` holds a place (cells) finely enough to tell particles around it apart.
@@ -41,7 +50,12 @@ impl<S: Scalar> Fit<S> {
         }
     }
 
-    fn error(key: impl Into<String>, reason: &str) -> SceneError {
-        SceneError::new(key, format!("{reason} for {} in this cell size, mass and step", S::NAME))
+    fn error(key: impl Into<String>, reason: &str, why: &str) -> SceneError {
+        SceneError::new(key, format!("{reason} for {} in this cell size, mass and step{why}", S::NAME))
     }
+}
+
+/// Checks that numbers are finite which a scene file did not say.
+pub(super) fn finite(key: &str, values: &[f64]) -> Result<(), SceneError> {
+    if values.iter().all(|value| value.is_finite()) { Ok(()) } else { Err(SceneError::new(key, "must be finite")) }
 }

@@ -20,13 +20,13 @@
 //!
 //! # The file
 //!
-//! TOML, SI units, z up. What is left out is off; a default is in brackets. Every number is finite.
+//! TOML, SI units, z up. What is left out is off; a default is in brackets. Every number is finite. A file has at most 262 144 values and, in programs, 16 MB.
 //!
 //! | table | key | meaning |
 //! |---|---|---|
 //! | | `name` | \[the file's name\] |
 //! | `[cloth]` | `columns`, `rows` | particles: one of [`SHAPES`]; a sheet of one column is a chain |
-//! | | `width`, `height` | m, > 0; a chain has no width |
+//! | | `width`, `height` | m, > 0; the width of a chain, which has none, is ignored |
 //! | | `mass` or `density` | kg per particle, or kg/m² of which each particle gets its share of the cells around it; > 0 |
 //! | | `hem` | factor of border particles' mass, > 0 \[1\] |
 //! | | `pose` | `"lay"` flat in the x-y plane, or `"hang"` upright in the x-z plane, row 0 on top \[`"lay"`\] |
@@ -85,11 +85,11 @@ pub use counted::{Counted, Operations};
 pub use description::{
     Capsule, Description, Drag, Picture, Plane, Sheet, Solver, Sphere, Spring, Surface, Wind, WindModel,
 };
-pub use error::SceneError;
+pub use error::{SceneError, printable};
 pub use obstacles::Obstacles;
 #[cfg(feature = "graphics")]
-pub use painter::Painter;
+pub use painter::{Bounds, Painter};
 pub use parts::{Bare, Everything, Parts, Springs};
 pub use quantity::MOST;
-pub use run::{ScalarKind, Simulation, State, Still, Strain, Strains};
+pub use run::{Explosion, ScalarKind, Simulation, State, Still, Strain, Strains};
 pub use shape::SHAPES;

@@ -88,7 +88,7 @@ impl<S: Scalar + Send> Obstacles<S> for Solids<S> {
             _ => None,
         });
         for (sphere, centre) in spheres.zip(centres) {
-            sphere.centre = units.point(*centre).to_vec();
+            sphere.centre = units.place(*centre).to_vec();
         }
     }
 }
@@ -122,8 +122,11 @@ impl Description {
             // A contact compares squares of lengths that may be twice as long.
             Fit::<S>::number(format!("{table}.radius"), 2.0 * units.length(radius).0)?;
             Fit::<S>::number(format!("{table}.margin"), units.length(surface.margin).0)?;
-            Fit::<S>::number(format!("{table}.margin"), 2.0 * units.length(radius + surface.margin).0)?;
-            Fit::<S>::number(format!("{table}.friction"), surface.friction)
+            Fit::<S>::number(
+                format!("{table}.margin"),
+                2.0 * (units.length(radius).0 + units.length(surface.margin).0),
+            )?;
+            Fit::<S>::constant(format!("{table}.friction"), [surface.friction]).map(|[friction]| friction)
         };
         for (index, sphere) in self.spheres.iter().enumerate() {
             let table = format!("sphere[{index}]");
@@ -131,10 +134,10 @@ impl Description {
             let centre = units.point(sphere.centre);
             Fit::<S>::place(format!("{table}.centre"), centre.0)?;
             let velocity = units.velocity(sphere.velocity);
-            Fit::<S>::vector(format!("{table}.velocity"), velocity.0)?;
+            Fit::<S>::constant(format!("{table}.velocity"), velocity.0)?;
             let seconds = self.solver.step * f64::from(self.frames);
             let end: [f64; 3] = core::array::from_fn(|axis| sphere.centre[axis] + sphere.velocity[axis] * seconds);
-            Fit::<S>::place(format!("{table}.velocity"), units.point(end).0)?;
+            Fit::<S>::place(format!("{table}.velocity"), units.place(end).0)?;
             let (radius, margin) = (units.length(sphere.radius), units.length(sphere.surface.margin));
             let sphere = Sphere::new(centre, radius, margin).with_friction(friction).with_velocity(velocity);
             obstacles.push(Obstacle::Sphere(sphere));
@@ -144,7 +147,8 @@ impl Description {
             Fit::<S>::place(format!("{table}.point"), units.point(plane.point).0)?;
             let margin = units.length(plane.surface.margin);
             Fit::<S>::number(format!("{table}.margin"), margin.0)?;
-            let friction = Fit::number(format!("{table}.friction"), plane.surface.friction)?;
+            Fit::<S>::number(format!("{table}.margin"), margin.0)?;
+            let [friction] = Fit::constant(format!("{table}.friction"), [plane.surface.friction])?;
             let plane = Plane::new(units.point(plane.point), Vec3::from_f64(plane.normal), margin);
             obstacles.push(Obstacle::Plane(plane.with_friction(friction)));
         }

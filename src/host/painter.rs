@@ -15,7 +15,7 @@ use crate::cloth::Cloth;
 use crate::render::ground::Backdrop;
 use crate::render::pattern::{Border, CELL, Checks, Gingham, Pattern, Place, Stripes};
 use crate::render::{Ball, Camera, Ground, Light, Look, Rod, Shaded, Shadow, View, Wireframe};
-use crate::units::{Point, Units};
+use crate::units::{Length, Point, Units};
 use crate::vec3::Vec3;
 
 /// Draws moments of a scene: the sheet, balls and rods, and a ground with their shadow.
@@ -48,20 +48,32 @@ impl<'a> Painter<'a> {
         stills: impl IntoIterator<Item = &'b Still>,
         screen: Size,
     ) -> Result<Self, SceneError> {
+        let mut seen = Bounds::new(scene);
+        stills.into_iter().for_each(|still| seen.include(scene, still));
+        Self::within(scene, seen, screen)
+    }
+
+    /// A painter for pictures of this size that show all moments within these bounds.
+    ///
+    /// # Errors
+    ///
+    /// As [`new`](Self::new).
+    pub fn within(scene: &'a Description, Bounds(seen): Bounds, screen: Size) -> Result<Self, SceneError> {
         let units = scene.units()?;
         let Picture { azimuth, elevation, frame, .. } = scene.picture;
-        let seen = bounds(scene, stills);
         let [low, high] = frame.unwrap_or(seen);
         let size = (0..3).fold(units.cell, |size, axis| size.max(high[axis] - low[axis]));
         let floor = scene.planes.iter().filter(|plane| plane.normal[2] > 0.999).map(|plane| plane.point[2]);
         let floor = floor.reduce(f64::max).unwrap_or(low[2].min(seen[0][2]) - 0.02 * size);
         let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
-        let ground = Ground::new(units.point([middle[0], middle[1], floor]), units.length(2.2 * size));
+        // a picture may be of anything, however large
+        let length = |metres: f64| Length(metres / units.cell);
+        let ground = Ground::new(units.place([middle[0], middle[1], floor]), length(2.2 * size));
         Ok(Self {
             scene,
             units,
-            view: View::new(azimuth, elevation).fit(units.point(low), units.point(high), screen),
-            ground: ground.tiles(units.length(0.25 * size)),
+            view: View::new(azimuth, elevation).fit(units.place(low), units.place(high), screen),
+            ground: ground.tiles(length(0.25 * size)),
             light: Light::new(azimuth - 50.0, 50.0),
             screen,
         })
@@ -95,7 +107,7 @@ impl<'a> Painter<'a> {
         let mut positions = still.positions.iter();
         cloth
             .position
-            .change(|x| positions.next().map_or(x, |&metres| Vec3::from_f64(self.units.point(metres).0.map(near))));
+            .change(|x| positions.next().map_or(x, |&metres| Vec3::from_f64(self.units.place(metres).0.map(near))));
         let camera = Camera::new(&self.view, self.screen);
         let solids = (&*self.balls(still), &*self.rods());
         let mut ground = self.ground.shadow(Shadow::<160>::new(SHADOW).soften(6));
@@ -113,7 +125,7 @@ impl<'a> Painter<'a> {
 
     fn balls(&self, still: &Still) -> Vec<Ball<f32>> {
         let ball = |(centre, sphere): (&[f64; 3], &super::Sphere)| {
-            Ball::new(self.units.point(*centre), self.units.length(sphere.radius), BALL)
+            Ball::new(self.units.place(*centre), self.units.length(sphere.radius), BALL)
         };
         still.spheres.iter().zip(&self.scene.spheres).map(ball).collect()
     }
@@ -126,28 +138,36 @@ impl<'a> Painter<'a> {
     }
 }
 
-/// The box around everything that is seen and not too far away.
-fn bounds<'a>(scene: &Description, stills: impl IntoIterator<Item = &'a Still>) -> [[f64; 3]; 2] {
-    let mut bounds = [[f64::MAX; 3], [f64::MIN; 3]];
-    let mut include = |low: [f64; 3], high: [f64; 3]| {
-        for axis in 0..3 {
-            bounds[0][axis] = bounds[0][axis].min(low[axis]);
-            bounds[1][axis] = bounds[1][axis].max(high[axis]);
-        }
-    };
-    let sheet = &scene.sheet;
-    let furthest = 2.0 * (sheet.width + sheet.height);
-    let near = |x: &&[f64; 3]| (0..3).all(|axis| (x[axis] - sheet.origin[axis]).abs() <= furthest);
-    include(sheet.origin, sheet.origin);
-    for still in stills {
+/// The box around everything that is seen of a scene and not too far away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds([[f64; 3]; 2]);
+
+impl Bounds {
+    /// The corner from which the sheet starts, and nothing else.
+    pub fn new(scene: &Description) -> Self {
+        Self([scene.sheet.origin; 2])
+    }
+
+    /// Takes a moment of the same scene in.
+    pub fn include(&mut self, scene: &Description, still: &Still) {
+        let sheet = &scene.sheet;
+        let furthest = 2.0 * (sheet.width + sheet.height);
+        let near = |x: &&[f64; 3]| (0..3).all(|axis| (x[axis] - sheet.origin[axis]).abs() <= furthest);
         for position in still.positions.iter().filter(near) {
-            include(*position, *position);
+            self.stretch(*position, *position);
         }
         for (centre, sphere) in still.spheres.iter().zip(&scene.spheres).filter(|(centre, _)| near(centre)) {
-            include(centre.map(|x| x - sphere.radius), centre.map(|x| x + sphere.radius));
+            self.stretch(centre.map(|x| x - sphere.radius), centre.map(|x| x + sphere.radius));
         }
     }
-    bounds
+
+    fn stretch(&mut self, low: [f64; 3], high: [f64; 3]) {
+        let Self([lowest, highest]) = self;
+        for axis in 0..3 {
+            lowest[axis] = lowest[axis].min(low[axis]);
+            highest[axis] = highest[axis].max(high[axis]);
+        }
+    }
 }
 
 /// A pattern chosen while the program runs.

@@ -4,7 +4,7 @@ use std::format;
 
 use super::description::{Description, Wind, WindModel};
 use super::error::SceneError;
-use super::fit::Fit;
+use super::fit::{Fit, finite};
 use super::obstacles::{Obstacles, Solids};
 use crate::force::{AerodynamicWind, FacetWind, Force};
 use crate::link::{Damped, Links};
@@ -63,16 +63,21 @@ impl<S: Scalar + Send> Parts<S> for Everything {
     type Obstacles = Solids<S>;
 
     fn air(units: &Units, wind: Option<&Wind>) -> Result<Self::Air, SceneError> {
+        if let Some(wind) = wind {
+            finite(VELOCITY, &wind.velocity)?;
+        }
         match wind {
             Some(&Wind { velocity, model: WindModel::Aerodynamic { density, drag_coefficient } }) => {
+                finite("environment.wind.density", &[density])?;
+                finite("environment.wind.drag_coefficient", &[drag_coefficient])?;
                 let flow = units.aerodynamic_wind(velocity, density, drag_coefficient);
-                Fit::<S>::vector(VELOCITY, flow.wind)?;
-                Fit::<S>::number("environment.wind.density", flow.pressure)?;
+                Fit::<S>::constant(VELOCITY, flow.wind)?;
+                Fit::<S>::constant("environment.wind.density", [flow.pressure])?;
                 Ok((None, Some(AerodynamicWind::new(flow))))
             }
             Some(Wind { velocity, model: WindModel::Facet }) => {
                 let flow = units.facet_wind(*velocity);
-                Fit::<S>::vector(VELOCITY, flow.wind)?;
+                Fit::<S>::constant(VELOCITY, flow.wind)?;
                 Ok((Some(FacetWind::new(flow)), None))
             }
             None => Ok((None, None)),
@@ -86,7 +91,7 @@ impl<S: Scalar + Send> Parts<S> for Everything {
         damping: f64,
     ) -> Result<Self::Springs<L>, SceneError> {
         let damping = units.damping(damping);
-        Fit::<S>::number(format!("{table}.damping"), damping.dividend)?;
+        Fit::<S>::constant(format!("{table}.damping"), [damping.dividend])?;
         Ok(Damped::new(springs, damping))
     }
 
@@ -190,6 +195,23 @@ mod tests {
             let (all, needed) = (operations::<Everything>(&scene), operations::<Bare>(&scene));
             // whether a family has dampers, each time it is visited
             assert!(100 * (all - needed) < needed, "{kind:?}: {all}, {needed}");
+        }
+    }
+
+    /// What changes while a scene runs comes from no file.
+    #[test]
+    fn what_is_undefined_is_refused() {
+        let mut moving = Description::parse(SCENE).unwrap().simulation_on::<Everything, crate::Q24, 4, 4>().unwrap();
+        for bad in [f64::NAN, f64::INFINITY] {
+            let refused = moving.set_gravity([0.0, bad, 0.0]).unwrap_err();
+            assert_eq!(refused.key, "environment.gravity");
+            let models = [WindModel::Facet, WindModel::Aerodynamic { density: 1.2, drag_coefficient: 1.2 }];
+            for model in models {
+                assert_eq!(moving.set_wind(Some(&Wind { velocity: [bad; 3], model })).unwrap_err().key, VELOCITY);
+            }
+            let model = WindModel::Aerodynamic { density: bad, drag_coefficient: 1.2 };
+            let refused = moving.set_wind(Some(&Wind { velocity: [1.0; 3], model })).unwrap_err();
+            assert_eq!(refused.key, "environment.wind.density");
         }
     }
 

@@ -48,7 +48,7 @@ impl File {
             planes: self.plane.iter().enumerate().map(plane).collect::<Result<_, _>>()?,
             capsules: self.capsule.iter().enumerate().map(capsule).collect::<Result<_, _>>()?,
             solver: Solver {
-                kind: solver.kind.unwrap_or(SolverKind::Lines),
+                kind: solver.kind.map_or(SolverKind::Lines, |kind| kind.0),
                 step,
                 substeps: solver.substeps.map_or(SUBSTEPS, Count::get),
                 iterations: solver.iterations.map_or(1, Count::get),
@@ -91,7 +91,10 @@ fn sheet(cloth: &file::Cloth) -> Result<Sheet, SceneError> {
         return Err(SceneError::new(key, format!("no grid of {columns}x{rows} (columns x rows), only {known}")));
     }
     let width = match cloth.width {
-        Some(width) if columns > 1 => width.get(),
+        Some(width) if columns > 1 && width.get() > 0.0 => width.get(),
+        Some(width) if columns > 1 => {
+            return Err(SceneError::new("cloth.width", format!("must be above zero, is {}", width.get())));
+        }
         None if columns > 1 => return Err(SceneError::new("cloth.width", "missing")),
         _ => 0.0,
     };
@@ -102,7 +105,7 @@ fn sheet(cloth: &file::Cloth) -> Result<Sheet, SceneError> {
         rows,
         width,
         height,
-        pose: cloth.pose,
+        pose: cloth.pose.0,
         origin: cloth.origin.0,
         mass,
         mass_key,
@@ -186,7 +189,7 @@ fn drag(environment: &file::Environment, step: f64) -> Result<Option<Drag>, Scen
 }
 
 fn wind(Table(wind): &Table<file::Wind>) -> Result<Wind, SceneError> {
-    let model = match wind.model {
+    let model = match wind.model.0 {
         file::WindModel::Aerodynamic => WindModel::Aerodynamic {
             density: wind.density.map_or(AIR_DENSITY, Positive::get),
             drag_coefficient: wind.drag_coefficient.map_or(PLATE_DRAG, NonNegative::get),
@@ -282,7 +285,7 @@ fn picture(picture: &file::Picture) -> Result<Picture, SceneError> {
         azimuth: picture.azimuth.map_or(DIRECTION.0, Number::get) % 360.0,
         elevation,
         frame,
-        pattern: picture.pattern,
+        pattern: picture.pattern.0,
         bands: picture.bands.map_or(BANDS, Count::get),
         colours,
     })

@@ -1,5 +1,6 @@
 //! A scene in motion, its number type, grid and solver chosen while the program runs.
 
+use core::fmt;
 use std::boxed::Box;
 use std::vec::Vec;
 
@@ -96,6 +97,31 @@ pub struct State {
     pub pinned: Vec<bool>,
 }
 
+/// The limit that an exploded sheet has left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Explosion {
+    /// A number is infinite or undefined.
+    NotFinite,
+    /// A particle is further than a million times the sheet's longer side, along an axis, from where the sheet's first particle started. Numbers may grow far beyond that
+    /// before they are infinite.
+    Far,
+    /// A particle has left the range of this fixed-point type: it comes back from the other end.
+    OutOfRange(&'static str),
+}
+
+impl fmt::Display for Explosion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite => f.write_str("a number is not finite"),
+            Self::Far => f.write_str("a particle is further than a million sheet sizes from the start"),
+            Self::OutOfRange(scalar) => write!(f, "a particle left the range of {scalar}"),
+        }
+    }
+}
+
+/// [`Explosion::Far`] is beyond so many times the longer side of the sheet.
+const FAR: f64 = 1e6;
+
 /// A sheet in motion, whatever its number type, grid and solver.
 pub trait Simulation: Send {
     /// Moves on by one frame.
@@ -108,8 +134,12 @@ pub trait Simulation: Send {
     fn energy(&self) -> f64;
     /// 32-bit FNV-1a over the bits of the state: see [`digest`].
     fn digest(&self) -> u32;
-    /// Whether every number of the state is finite and no particle has left the range of a fixed-point type, where it comes back from the other end.
-    fn is_finite(&self) -> bool;
+    /// Whether the sheet has exploded, and how.
+    fn explosion(&self) -> Option<Explosion>;
+    /// Whether every number of the state is finite and no particle has left its bounds: see [`Explosion`].
+    fn is_finite(&self) -> bool {
+        self.explosion().is_none()
+    }
     /// Whether the sheet is at rest, so that the next frame is not computed if nothing changes: a scene's `[rest]`.
     fn is_at_rest(&self) -> bool;
     /// All that moves.
@@ -167,6 +197,9 @@ struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     /// Inverse masses of the sheet without pins.
     unpinned: Box<Grid<S, W, H>>,
     range: Range<S>,
+    /// Where the first particle started and how far from there the sheet may go, cells.
+    start: [f64; 3],
+    furthest: f64,
     memory: <SceneSolver as Solver<S>>::Memory<W, H>,
 }
 
@@ -182,7 +215,9 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S
         let (links, obstacles) = (description.links::<S, P>(&units)?, P::obstacles(description, &units)?);
         let scene = Scene::new(&units, forces, links, obstacles, SceneSolver::new::<S>(description, &units)?);
         let (memory, range) = (scene.memory(), Range::new(&mut cloth.position.values()));
-        Ok(Box::new(Self { units, gravity: description.gravity, scene, cloth, unpinned, range, memory }))
+        let (start, gravity) = (units.point(description.sheet.origin).0, description.gravity);
+        let furthest = FAR * (units.sides[0] * (W - 1) as f64).max(units.sides[1] * (H - 1) as f64);
+        Ok(Box::new(Self { units, gravity, scene, cloth, unpinned, range, start, furthest, memory }))
     }
 }
 
@@ -223,8 +258,14 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
         digest(&self.cloth)
     }
 
-    fn is_finite(&self) -> bool {
-        is_finite(&self.cloth) && !self.range.is_left()
+    fn explosion(&self) -> Option<Explosion> {
+        if !is_finite(&self.cloth) {
+            Some(Explosion::NotFinite)
+        } else if self.range.is_left() {
+            Some(Explosion::OutOfRange(S::NAME))
+        } else {
+            far(&mut self.cloth.position.values(), self.start, self.furthest).then_some(Explosion::Far)
+        }
     }
 
     fn is_at_rest(&self) -> bool {
@@ -247,8 +288,8 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
             *inverse_mass = if state.pinned[index] { S::ZERO } else { unpinned[index] };
         }
         let (mut positions, mut velocities) = (state.still.positions.iter(), state.velocities.iter());
-        position.change(|x| positions.next().map_or(x, |&metres| self.units.point(metres).to_vec()));
-        velocity.change(|v| velocities.next().map_or(v, |&speed| Vec3::from_f64(self.units.velocity(speed).0)));
+        position.change(|x| positions.next().map_or(x, |&metres| self.units.place(metres).to_vec()));
+        velocity.change(|v| velocities.next().map_or(v, |&speed| Vec3::from_f64(self.units.motion(speed).0)));
         self.scene.colliders.set_centres(&self.units, &state.still.spheres);
         self.range = Range::new(&mut self.cloth.position.values());
         self.memory = self.scene.memory();
@@ -278,6 +319,11 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
 /// Compiled for each number type, not for each grid.
 fn scaled<S: Scalar>(vectors: &mut dyn Iterator<Item = Vec3<S>>, unit: f64) -> Vec<[f64; 3]> {
     vectors.map(|vector| vector.to_f64().map(|component| component * unit)).collect()
+}
+
+/// Whether any of these is further than that from `start` along an axis.
+fn far<S: Scalar>(positions: &mut dyn Iterator<Item = Vec3<S>>, start: [f64; 3], furthest: f64) -> bool {
+    positions.map(Vec3::to_f64).any(|position| (0..3).any(|axis| (position[axis] - start[axis]).abs() > furthest))
 }
 
 fn strain<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, links: &impl Links<S>) -> Strain {

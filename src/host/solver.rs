@@ -48,7 +48,7 @@ impl AnySolver {
         Ok(match scene.solver.kind {
             SolverKind::Verlet => {
                 // A sweep divides stiffness by their number.
-                Fit::<S>::number("solver.iterations", f64::from(sweeps))?;
+                Fit::<S>::constant("solver.iterations", [1.0 / f64::from(sweeps)])?;
                 Self::Verlet(Verlet { sweeps })
             }
             SolverKind::ForwardEuler => Self::ForwardEuler(ForwardEuler),

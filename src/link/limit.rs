@@ -22,8 +22,14 @@ pub struct StrainLimited<L, S> {
 }
 
 impl<L, S: Scalar> StrainLimited<L, S> {
-    /// `links` with a largest strain of `limit` (no unit, positive; fixed point holds up to 62).
+    /// `links` with a largest strain of `limit` (no unit, positive; in fixed point below 63).
+    ///
+    /// # Panics
+    /// For any other limit.
+    #[track_caller]
     pub fn new(links: L, limit: S) -> Self {
+        assert!(limit > S::ZERO && limit.is_finite(), "a strain limit is positive and finite");
+        assert!(S::FLOATS || limit < S::from_int(63), "fixed point holds strain limits below 63");
         Self { links, allowed: S::ONE + limit }
     }
 }

@@ -16,6 +16,11 @@ macro_rules! springs {
 
         impl<S: Scalar> $name<S> {
             /// Springs of this strength in a sheet of these units.
+            ///
+            /// # Panics
+            /// If the strength doesn't [fit](Strength::fits) the number type.
+            #[track_caller]
+            #[inline]
             pub fn new(units: &Units, strength: Strength) -> Self {
                 let [across, down] = units.sides.map(S::from_f64);
                 let rest = [$(Rest::spanning(across.times($across), down.times($down))),+];
@@ -59,6 +64,11 @@ pub struct Damped<L, S> {
 
 impl<L, S: Scalar> Damped<L, S> {
     /// `links` with a damper of this strength beside each spring.
+    ///
+    /// # Panics
+    /// If the strength doesn't [fit](Strength::fits) the number type.
+    #[track_caller]
+    #[inline]
     pub fn new(links: L, damping: Strength) -> Self {
         Self { links, damping: Quotient::new(damping) }
     }

@@ -25,7 +25,12 @@ impl<S: Scalar, const N: usize> Tether<S, N> {
     ///
     /// # Errors
     /// Gives back the anchors if there are more than `N`.
+    ///
+    /// # Panics
+    /// If the slack is negative or not finite.
+    #[track_caller]
     pub fn new<'a>(units: &Units, anchors: &'a [Node], slack: S) -> Result<Self, &'a [Node]> {
+        assert!(slack >= S::ZERO && slack.is_finite(), "a slack is finite, zero or above");
         let sides = units.sides.map(|side| S::from_f64(side) * (S::ONE + slack));
         Vec::from_slice(anchors).map(|anchors| Self { anchors, sides }).map_err(|_| anchors)
     }

@@ -2,8 +2,24 @@
 
 use super::{Rest, Scalar};
 
+/// A number's bits, the same for all that are undefined: which of them an operation gives, Rust leaves to the compiler.
+trait CanonicalBits {
+    type Bits;
+    fn canonical_bits(self) -> Self::Bits;
+}
+
 macro_rules! float {
-    ($float:ty, $name:literal, $sqrt:path, $floor:path, $tiny:literal) => {
+    ($float:ty, $bits:ty, $name:literal, $sqrt:path, $floor:path, $tiny:literal) => {
+        impl CanonicalBits for $float {
+            type Bits = $bits;
+            #[inline]
+            fn canonical_bits(self) -> $bits {
+                let bits = self.to_bits();
+                // in integers, because a comparison of floats may be a call
+                if bits << 1 > <$float>::INFINITY.to_bits() << 1 { <$float>::NAN.to_bits() } else { bits }
+            }
+        }
+
         impl Scalar for $float {
             const NAME: &'static str = $name;
             const ZERO: Self = 0.0;
@@ -94,11 +110,11 @@ macro_rules! float {
             }
             #[inline]
             fn bits(self, hash: impl FnMut(u8)) {
-                self.to_bits().to_le_bytes().into_iter().for_each(hash);
+                self.canonical_bits().to_le_bytes().into_iter().for_each(hash);
             }
             #[inline]
             fn word(self) -> u32 {
-                let bits = u64::from(self.to_bits());
+                let bits = u64::from(self.canonical_bits());
                 (bits ^ bits >> 32) as u32
             }
             #[inline]
@@ -136,5 +152,5 @@ mod root {
     }
 }
 
-float!(f32, "f32", root::f32, libm::floorf, 1e-20);
-float!(f64, "f64", root::f64, libm::floor, 1e-60);
+float!(f32, u32, "f32", root::f32, libm::floorf, 1e-20);
+float!(f64, u64, "f64", root::f64, libm::floor, 1e-60);

@@ -46,7 +46,9 @@ pub struct Memory<S, const W: usize, const H: usize> {
 impl<S: Scalar> Solver<S> for BackwardEuler {
     type Memory<const W: usize, const H: usize> = Memory<S, W, H>;
 
+    #[track_caller]
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+        assert!(self.newton_steps > 0, "backward Euler needs one Newton step at least");
         let zero = Vectors::filled(Vec3::ZERO);
         Memory { correction: zero, step: zero, residual: zero, direction: zero, product: zero }
     }

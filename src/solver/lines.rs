@@ -39,6 +39,7 @@ use crate::link::Links;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
+use crate::scalar::fit::is_positive;
 use crate::solver::{Physics, Solver};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
@@ -67,13 +68,23 @@ pub struct Lines<const N: usize = 4> {
 
 impl<const N: usize> Lines<N> {
     /// At least `sweeps` sweeps in a substep, and at most 16, until rows are strained by no more than 2 %.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for no sweeps.
+    #[track_caller]
     pub const fn with_sweeps(sweeps: u32) -> Self {
+        assert!(sweeps > 0, "lines need one sweep at least");
         Self { sweeps, tolerance: 0.02, most_sweeps: if sweeps > 16 { sweeps } else { 16 } }
     }
 
     /// The same, until rows are strained by no more than `tolerance`.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for a tolerance that is not positive and finite.
     #[must_use]
+    #[track_caller]
     pub const fn within(self, tolerance: f64) -> Self {
+        assert!(is_positive(tolerance), "a tolerance is positive and finite");
         Self { tolerance, ..self }
     }
 }
@@ -135,7 +146,10 @@ enum History {
 impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
     type Memory<const W: usize, const H: usize> = Memory<S, W, H, N>;
 
+    #[track_caller]
     fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+        assert!(self.sweeps > 0 && self.most_sweeps > 0, "lines need one sweep at least");
+        assert!(is_positive(self.tolerance), "a tolerance is positive and finite");
         Memory::BLANK
     }
 

@@ -35,8 +35,9 @@ pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
         return;
     }
     let ordinary = ordinary::rows(particles);
+    let part = part_of(parts);
     for _ in 0..parts {
-        links.springs(&mut Project { particles, moment, rounding: moment.rounding(), parts, ordinary });
+        links.springs(&mut Project { particles, moment, rounding: moment.rounding(), part, ordinary });
     }
     if !S::FLOATS {
         for (position, velocity) in particles.position.0.iter().zip(&mut particles.velocity.0) {
@@ -47,11 +48,24 @@ pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     }
 }
 
+/// `1/parts`. More parts than fixed point counts are the reciprocal of so many 2ⁿths.
+fn part_of<S: Scalar>(parts: u32) -> S {
+    if parts == 1 {
+        return S::ONE;
+    }
+    if S::FLOATS || parts < 128 {
+        return S::from_int(parts as i32).recip();
+    }
+    let shift = 25 - parts.leading_zeros();
+    S::ONE.halve(shift).times(parts as i32).recip().halve(shift)
+}
+
 struct Project<'a, S, const W: usize, const H: usize> {
     particles: &'a mut Particles<S, W, H>,
     moment: Moment,
     rounding: Rounding,
-    parts: u32,
+    /// The part of its stiffness with which a spring is projected.
+    part: S,
     /// Rows of nothing but particles of mass 1: their masses need not be looked at.
     ordinary: [bool; H],
 }
@@ -99,11 +113,7 @@ impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W, H> {
     #[inline(never)] // one for all scenes of a grid
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        let strength = if self.parts == 1 {
-            family.strength
-        } else {
-            family.strength.scaled(S::from_int(self.parts as i32).recip())
-        };
+        let strength = if self.part == S::ONE { family.strength } else { family.strength.scaled(self.part) };
         // nearly all links join two ordinary particles: their quotient is formed once, and their masses need no product
         let part = strength.against(S::ONE + S::ONE);
         each_row::<DOWN, H>(|row| {

@@ -16,7 +16,7 @@ use crate::vec3::Vec3;
 /// sweeps leave a stiff sheet *super-elastic*: news travels one link a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Verlet {
-    /// Relaxations of all springs in a substep, at least one. Fixed point counts up to 127.
+    /// Relaxations of all springs in a substep, at least one.
     pub sweeps: u32,
 }
 
@@ -24,7 +24,10 @@ impl<S: Scalar> Solver<S> for Verlet {
     /// Nothing.
     type Memory<const W: usize, const H: usize> = ();
 
-    fn memory<const W: usize, const H: usize>(&self) {}
+    #[track_caller]
+    fn memory<const W: usize, const H: usize>(&self) {
+        assert!(self.sweeps > 0, "Verlet needs one sweep at least");
+    }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,

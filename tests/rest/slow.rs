@@ -38,8 +38,8 @@ fn slow_falls_go_on<S: Scalar>() {
     let found = fallen::<S>((gravity(accelerated), Drag::new(UNITS.drag(drag))));
     // a substep's gain is seven units of the last place of q24
     assert!((found / expected - 1.0).abs() < 0.08, "{found} m instead of {expected} in {}", S::NAME);
-    // what is slower than that is at rest, by definition
-    assert!(fallen::<S>(gravity(0.8 * STILL.acceleration)) < 1e-3);
+    // what is slower than that is at rest, by definition; here by five units
+    assert!(fallen::<S>(gravity(0.86 * STILL.acceleration)) < 1e-3);
 }
 
 /// Frames at rest in a minute of a swing of this amplitude (m): a sheet on one edge in so little weight that it takes `PERIOD` for it.

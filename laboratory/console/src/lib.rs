@@ -9,7 +9,9 @@
 pub mod staging;
 pub mod studio;
 
-use std::io::{self, Write};
+use std::ffi::OsStr;
+use std::fs::File;
+use std::io::{self, Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -18,19 +20,36 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
 use kerchief::host::{BuiltIn, Description, ScalarKind, SolverKind};
 
-/// What a program ends with: an error is one line and the status 2.
-pub fn exit(result: Result<(), String>) -> ExitCode {
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(reason) => {
-            // Paths may hold line breaks.
-            let escape = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
-            let line: String = reason.chars().map(escape).collect();
-            // Nobody left to tell is no reason to panic.
-            let _ = writeln!(io::stderr(), "error: {line}");
-            ExitCode::from(2)
-        }
+pub use kerchief::host::printable;
+
+/// Scene files may be as large as this, MB of 2²⁰ bytes: no scene is, but a device has no end.
+const LARGEST: u64 = 16;
+
+/// Why a program does not end well.
+#[derive(Debug)]
+pub enum Failure {
+    /// It could not do what it was asked for: status 2.
+    Refused(String),
+    /// It did, and the sheet exploded: status 3.
+    Exploded(String),
+}
+
+impl From<String> for Failure {
+    fn from(reason: String) -> Self {
+        Self::Refused(reason)
     }
+}
+
+/// What a program ends with: a failure is one line and its status.
+pub fn exit(result: Result<(), impl Into<Failure>>) -> ExitCode {
+    let Err(failure) = result else { return ExitCode::SUCCESS };
+    let (reason, status) = match failure.into() {
+        Failure::Refused(reason) => (reason, 2),
+        Failure::Exploded(reason) => (reason, 3),
+    };
+    // Nobody left to tell is no reason to panic.
+    let _ = writeln!(io::stderr(), "error: {}", printable(&reason));
+    ExitCode::from(status)
 }
 
 /// A line on the standard output.
@@ -64,24 +83,36 @@ pub fn solver_kind() -> impl TypedValueParser<Value = SolverKind> {
         .map(|name| SolverKind::from_name(&name).expect("one of the names above"))
 }
 
-/// The scene of that name among `named`, or in that file: its text and its meaning.
-pub fn load(scene: &str, named: &[BuiltIn]) -> Result<(String, Description), String> {
+/// The scene of that name among `named`, or in that file: its text and its meaning. The name of a file need not be text.
+pub fn load(scene: impl AsRef<OsStr>, named: &[BuiltIn]) -> Result<(String, Description), String> {
+    let scene = scene.as_ref();
+    let shown = scene.display();
     let text = match named.iter().find(|named| named.name == scene) {
         Some(scene) => scene.text.to_string(),
-        None => std::fs::read_to_string(scene).map_err(|error| {
-            if error.kind() == io::ErrorKind::NotFound && !scene.contains(['.', '/', '\\']) {
+        None => read_scene(scene).map_err(|error| {
+            let is_name = scene.to_str().is_some_and(|scene| !scene.contains(['.', '/', '\\']));
+            if error.kind() == io::ErrorKind::NotFound && is_name {
                 let names: Vec<_> = named.iter().map(|scene| scene.name).collect();
-                format!("no scene or file {scene:?}; built-in scenes: {}", names.join(", "))
+                format!("no scene or file \"{shown}\"; built-in scenes: {}", names.join(", "))
             } else {
-                format!("{scene}: {error}")
+                format!("{shown}: {error}")
             }
         })?,
     };
-    let mut description = Description::parse(&text).map_err(|error| format!("{scene}: {error}"))?;
+    let mut description = Description::parse(&text).map_err(|error| format!("{shown}: {error}"))?;
     if description.name.is_empty() {
         description.name = Path::new(scene).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     }
     Ok((text, description))
+}
+
+fn read_scene(path: &OsStr) -> io::Result<String> {
+    let mut bytes = Vec::new();
+    let most = LARGEST << 20;
+    if File::open(path)?.take(most + 1).read_to_end(&mut bytes)? as u64 > most {
+        return Err(io::Error::other(format!("larger than {LARGEST} MB")));
+    }
+    String::from_utf8(bytes).map_err(|_| io::Error::other("not UTF-8"))
 }
 
 /// A bar on stderr; none where that is no terminal.

@@ -8,9 +8,9 @@ use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
 use tempfile::{Builder, NamedTempFile, TempPath};
 
-/// What a program ends with that a signal interrupts: as shells count it, 128 and the number of SIGINT.
+/// A program that a signal ends has, as shells count it, the status 128 and the number of the signal.
 #[cfg(unix)]
-const INTERRUPTED: i32 = 130;
+const SIGNALLED: i32 = 128;
 
 /// Files that are not in their places yet.
 static STAGED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
@@ -83,6 +83,11 @@ impl Write for Staged {
     }
 }
 
+/// A file without a name in `directory`, for what a program remembers: the system removes it however the program ends.
+pub fn scratch(directory: &Path) -> Result<fs::File, String> {
+    tempfile::tempfile_in(directory).map_err(|error| failed(directory, &error))
+}
+
 /// Makes the directory `--out` and makes sure that files can be written there; from now on a signal that ends the program removes what is staged.
 pub fn prepare(directory: &Path) -> Result<(), String> {
     static SIGNALS: Once = Once::new();
@@ -99,21 +104,21 @@ fn staged() -> MutexGuard<'static, BTreeSet<PathBuf>> {
 /// A signal that ends the program drops nothing: a thread waits for it and removes what is staged.
 #[cfg(unix)]
 fn clear_on_signals() {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
     use signal_hook::iterator::Signals;
 
     // Without it everything works but the tidying up.
-    let signals = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| !is_ignored(*signal));
+    let signals = [SIGHUP, SIGINT, SIGQUIT, SIGTERM].into_iter().filter(|signal| !is_ignored(*signal));
     let Ok(mut signals) = Signals::new(signals) else { return };
     std::thread::spawn(move || {
-        if signals.forever().next().is_some() {
+        if let Some(signal) = signals.forever().next() {
             // Held to the end, so that nothing more is staged.
             let staged = staged();
             for file in &*staged {
                 // It may have been dropped.
                 let _ = fs::remove_file(file);
             }
-            std::process::exit(INTERRUPTED);
+            std::process::exit(SIGNALLED + signal);
         }
     });
 }

@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use image::{RgbImage, imageops};
-use kerchief::host::{Description, Painter, Still};
+use kerchief::host::{Bounds, Description, Painter, Still};
 
 /// Pictures are drawn that much larger and reduced, which smooths their edges.
 const OVERSIZE: u32 = 3;
@@ -25,6 +25,13 @@ impl<'a> Studio<'a> {
     ) -> Result<Self, String> {
         let size = Size::new(side * OVERSIZE, side * OVERSIZE);
         let painter = Painter::new(scene, stills, size).map_err(|error| error.to_string())?;
+        Ok(Self { painter, side })
+    }
+
+    /// A studio for images of `side` × `side` pixels that show all moments within these bounds.
+    pub fn within(scene: &'a Description, seen: Bounds, side: u32) -> Result<Self, String> {
+        let size = Size::new(side * OVERSIZE, side * OVERSIZE);
+        let painter = Painter::within(scene, seen, size).map_err(|error| error.to_string())?;
         Ok(Self { painter, side })
     }
 

@@ -120,6 +120,7 @@ fn scenes_that_are_wrong() {
         ("[shear]", "[sheer]", "bad.toml: sheer: unknown key"),
         ("[run]", "[run", "bad.toml: line 24: unclosed table"),
         ("name = \"small\"", "\"two\\nlines\" = 1", "bad.toml: two\\nlines: unknown key"),
+        ("kind = \"xpbd\"", "kind = {lines = {}}", "bad.toml: solver.kind: invalid type: table, expected a string"),
     ] {
         assert_eq!(SMALL.matches(from).count(), 1, "{from:?}");
         fs::write(room.join("bad.toml"), SMALL.replace(from, to)).unwrap();
@@ -250,12 +251,12 @@ fn a_signal_leaves_what_was_there() {
     let room = room.path();
     succeeds(room, &["small.toml", "--csv"]);
     let before = contents(&room.join("out"));
-    for name in ["INT", "TERM", "HUP"] {
+    for (name, number) in [("INT", 2), ("TERM", 15), ("HUP", 1), ("QUIT", 3)] {
         // a test that was itself started to ignore the signal passes that on
         let mut running = interrupted(Command::new("env").arg("--default-signal").arg(program().get_program()), room);
         let status = signal(&mut running, name, Duration::from_secs(60));
         let _ = running.kill();
-        assert_eq!(status.expect(name).code(), Some(130), "{name}");
+        assert_eq!(status.expect(name).code(), Some(128 + number), "{name}");
         assert!(contents(&room.join("out")) == before, "{name}: something else is there");
     }
 
@@ -265,6 +266,115 @@ fn a_signal_leaves_what_was_there() {
     running.kill().unwrap();
     running.wait().unwrap();
     assert_eq!(ignored, None, "as with nohup");
+}
+
+/// The most memory that the program had, kB: what the system last said before it ended.
+#[cfg(target_os = "linux")]
+fn peak_memory(room: &Path, args: &[&str]) -> u64 {
+    use std::process::Stdio;
+
+    let mut running = program().current_dir(room).args(args).stdout(Stdio::null()).spawn().unwrap();
+    let mut peak = 0;
+    while running.try_wait().unwrap().is_none() {
+        let status = fs::read_to_string(format!("/proc/{}/status", running.id())).unwrap_or_default();
+        let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        peak = peak.max(line.map_or(0, |line| line.trim().trim_end_matches(" kB").parse().unwrap()));
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    assert!(running.wait().unwrap().success(), "{args:?}");
+    peak
+}
+
+/// What is recorded for pictures is on the disk. In memory 1500 moments of this sheet are 147 MB.
+#[test]
+#[cfg(target_os = "linux")]
+fn memory_does_not_grow_with_frames() {
+    let room = room();
+    let room = room.path();
+    let large = SMALL.replace("columns = 4\nrows = 4", "columns = 64\nrows = 64").replace("[3, 0]", "[63, 0]");
+    // so short that the animation has two pictures
+    let large = large.replace("step = 0.02\nsubsteps = 4", "step = 2e-5\nsubsteps = 1");
+    fs::write(room.join("large.toml"), large).unwrap();
+    for kinds in [&["--gif"][..], &["--gif", "--png", "--every", "1000"]] {
+        let peak = |frames| peak_memory(room, &[&["large.toml", "--frames", frames], kinds].concat());
+        let (short, long) = (peak("100"), peak("1500"));
+        assert!(long < short + short / 2, "{kinds:?}: {short} kB in 100 frames, {long} kB in 1500");
+    }
+}
+
+/// A file without an end, or one that would be a hundred times as large in memory.
+#[test]
+#[cfg(target_os = "linux")]
+fn scene_files_without_bound_are_refused() {
+    let room = room();
+    let room = room.path();
+    refuses(room, &["/dev/zero"], "/dev/zero: larger than 16 MB");
+    fs::write(room.join("large.toml"), format!("{SMALL}#{}", "x".repeat(16 << 20))).unwrap();
+    refuses(room, &["large.toml"], "large.toml: larger than 16 MB");
+    fs::write(room.join("large.toml"), format!("{SMALL}#{}", "x".repeat(15 << 20))).unwrap();
+    succeeds(room, &["large.toml", "--csv"]);
+    let pins = format!("pins = [{}[3, 0]]", "[0, 0], ".repeat(1_200_000));
+    fs::write(room.join("pins.toml"), SMALL.replace("pins = [[0, 0], [3, 0]]", &pins)).unwrap();
+    let limited = Command::new("sh")
+        .args(["-c", "ulimit -v 400000; exec \"$@\"", "sh"])
+        .arg(program().get_program())
+        .arg("pins.toml")
+        .current_dir(room)
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8_lossy(&limited.stderr);
+    assert_eq!(limited.status.code(), Some(2), "{stderr}");
+    assert!(stderr.contains("pins.toml: line 10: more than 262144 values"), "{stderr}");
+}
+
+/// Whatever a scene or a file is called, a terminal is told nothing but text.
+#[test]
+#[cfg(unix)]
+fn control_characters_are_not_printed() {
+    let room = room();
+    let room = room.path();
+    fs::write(room.join("named.toml"), SMALL.replace("name = \"small\"", r#"name = "\u001b[31mred\u009b\u202e""#))
+        .unwrap();
+    fs::write(room.join("key.toml"), SMALL.replace("name = \"small\"", r#""\u001b[31m\u202e" = 1"#)).unwrap();
+    fs::write(room.join("\u{1b}[31m.toml"), "[cloth\n").unwrap();
+    let runs = [
+        &["named.toml", "--csv", "--out", "\u{1b}[31mout"][..],
+        &["key.toml"],
+        &["\u{1b}[31m.toml"],
+        &["\u{1b}[31m\u{202e}"],
+        &["small.toml", "--scalar", "\u{1b}[31m"],
+    ];
+    for args in runs {
+        let output = run(room, args);
+        for text in [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap()) {
+            let hidden = text.chars().find(|c| c.is_control() && *c != '\n' || *c == '\u{202e}');
+            assert_eq!(hidden, None, "{args:?}: {text:?}");
+        }
+        let expected = if args == runs[0] { 0 } else { 2 };
+        assert_eq!(output.status.code(), Some(expected), "{args:?}");
+    }
+    let stdout = succeeds(room, runs[0]);
+    assert!(stdout.contains(r"\u{1b}[31mred\u{9b}\u{202e}"), "{stdout}");
+}
+
+/// Paths are bytes, not text.
+#[test]
+#[cfg(target_os = "linux")]
+fn paths_that_are_not_text() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let room = room();
+    let room = room.path();
+    let [scene, out] = [&b"caf\xe9.toml"[..], b"sortie\xe9"].map(OsStr::from_bytes);
+    fs::write(room.join(scene), SMALL.replace("name = \"small\"", "")).unwrap();
+    let output = program().current_dir(room).arg(scene).args(["--csv", "--gif", "--out"]).arg(out).output().unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && stderr.is_empty(), "{stderr}");
+    assert_eq!(names(&room.join(out)), ["animation.gif", "positions.csv", "report.json"]);
+    let missing = program().current_dir(room).arg(OsStr::from_bytes(b"\xe9.toml")).output().unwrap();
+    assert_eq!(missing.status.code(), Some(2));
+    assert!(String::from_utf8(missing.stderr).unwrap().starts_with("error: \u{fffd}.toml: "));
 }
 
 /// Killed in the middle of a run: the complete files of the run before stay complete.
@@ -311,6 +421,9 @@ fn numbers_that_the_type_cannot_hold() {
         ("f32", "gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, 1e45]", "environment.gravity: too large for f32"),
         ("q24", "radius = 0.3", "radius = 30.0", "sphere[0].radius: too large for q24"),
         ("q24", "radius = 0.3", "radius = 0.3\nmargin = 60.0", "sphere[0].margin: too large for q24"),
+        ("f64", "radius = 0.3", "radius = 5e307\nmargin = 5e307", "sphere[0].radius: too large for f64"),
+        ("f64", "radius = 0.3", "radius = 2e307\nmargin = 1.7e308", "sphere[0].margin: too large for f64"),
+        ("f64", "radius = 0.3", "radius = 0.3\nvelocity = [0, 0, 1.7e308]", "sphere[0].velocity: more than"),
         ("q24", "radius = 0.3", "radius = 0.3\nfriction = 200", "sphere[0].friction: too large for q24"),
         ("q24", "radius = 0.3", "radius = 0.3\nvelocity = [0, 0, 300.0]", "sphere[0].velocity: more than 128 cells"),
         ("f32", "centre = [0.0, 0.0, 0.4]", "centre = [0.0, 1e39, 0.4]", "sphere[0].centre: more than"),
@@ -330,7 +443,16 @@ fn numbers_that_the_type_cannot_hold() {
         ("q24", "[run]", "[rest]\nspeed = 1e-9\n[run]", "rest.speed: too small for q24"),
         ("q24", "[run]", "[rest]\nacceleration = 1e6\n[run]", "rest.acceleration: too large for q24"),
         ("q24", "substeps = 4", "strain_limit = 100", "solver.strain_limit: too large for q24"),
-        ("q24", "kind = \"xpbd\"", "kind = \"verlet\"\niterations = 128", "solver.iterations: too large for q24"),
+        (
+            "q24",
+            "-9.81]",
+            "-0.0003]",
+            "environment.gravity: too small for q24 in this cell size, mass and step: rounding",
+        ),
+        ("q13", "-9.81]", "-9.81]\ndrag = 1.5e-5", "environment.drag: too small for q13"),
+        ("q24", "stiffness = 100.0", "stiffness = 8e-5", "stretch.stiffness: too small for q24"),
+        ("q24", "stiffness = 100.0", "stiffness = 100.0\ndamping = 4e-7", "stretch.damping: too small for q24"),
+        ("q24", "radius = 0.3", "radius = 0.3\nfriction = 9e-8", "sphere[0].friction: too small for q24"),
     ] {
         assert_eq!(SMALL.matches(from).count(), 1, "{from:?}");
         fs::write(room.join("bad.toml"), SMALL.replace(from, to)).unwrap();
@@ -511,9 +633,54 @@ fn a_sheet_that_falls_out_of_range_is_reported() {
     let beside_the_ball = SMALL.replace("origin = [-0.5,", "origin = [5.0,");
     fs::write(room.join("free.toml"), beside_the_ball.replace("pins = [[0, 0], [3, 0]]", "")).unwrap();
     for (scalar, frames, finite) in [("q24", "140", true), ("q24", "160", false), ("f32", "160", true)] {
-        succeeds(room, &["free.toml", "--csv", "--scalar", scalar, "--frames", frames]);
+        let args = ["free.toml", "--csv", "--scalar", scalar, "--frames", frames];
+        if finite {
+            succeeds(room, &args);
+        } else {
+            explodes(room, &args, "a particle left the range of q24");
+        }
         assert_eq!(report(room)["finite"], finite, "{scalar} after {frames} frames");
     }
+}
+
+/// Asserts that a run writes what it was told to, and ends with one line that says in which frame the sheet exploded, and why.
+fn explodes(room: &Path, args: &[&str], reason: &str) -> u32 {
+    let output = run(room, args);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(3), "{args:?}: {stderr}");
+    assert_eq!(stderr.lines().count(), 1, "{args:?}: {stderr:?}");
+    assert!(stderr.contains(reason) && stderr.trim_end().ends_with("see docs/symptoms.md"), "{args:?}: {stderr:?}");
+    let stdout = String::from_utf8(output.stdout).unwrap();
+    assert!(stdout.contains("finite            no") && stdout.contains("written to"), "{args:?}: {stdout}");
+    assert_eq!(report(room)["finite"], false, "{args:?}");
+    let frame = stderr.strip_prefix("error: exploded in frame ").unwrap_or_else(|| panic!("{stderr:?}"));
+    frame.split_once(':').unwrap().0.parse().unwrap()
+}
+
+#[test]
+fn exploded_runs_say_so() {
+    let room = room();
+    let room = room.path();
+    let wild = SMALL.replace("stiffness = 100.0", "stiffness = 1e9");
+    fs::write(room.join("wild.toml"), &wild).unwrap();
+    let args = ["wild.toml", "--solver", "forward-euler", "--csv", "--frames", "50", "--scalar"];
+    let number = explodes(room, &[&args[..], &["f64"]].concat(), "further than a million sheet sizes");
+    assert!(number < 10, "{number}");
+    // far away and still finite: at the end of this frame
+    let frames = number.to_string();
+    let short = ["wild.toml", "--solver", "forward-euler", "--csv", "--scalar", "f64", "--frames", &frames];
+    assert_eq!(explodes(room, &short, "further than a million sheet sizes"), number);
+    assert_eq!(names(&room.join("out")), ["positions.csv", "report.json"]);
+    let table = fs::read_to_string(room.join("out/positions.csv")).unwrap();
+    assert_eq!(table.lines().count(), 1 + 16 * (number as usize + 1), "every frame is there");
+    let furthest =
+        table.lines().skip(1).flat_map(|line| line.split(',').skip(3)).map(|x| x.parse::<f64>().unwrap().abs());
+    let furthest = furthest.fold(0.0, f64::max);
+    assert!(furthest.is_finite() && furthest > 1e6, "{furthest}");
+    fs::write(room.join("blown.toml"), wild.replace("step = 0.02", "step = 2e9")).unwrap();
+    explodes(room, &["blown.toml", "--solver", "forward-euler", "--csv"], "a number is not finite");
+    let help = succeeds(room, &["--help"]);
+    assert!(help.contains("3 if the sheet exploded"), "{help}");
 }
 
 #[test]
@@ -587,7 +754,7 @@ fn sheets_that_blow_up_are_reported_and_drawn() {
     let room = room();
     let room = room.path();
     fs::write(room.join("wild.toml"), SMALL.replace("stiffness = 100.0", "stiffness = 1e9")).unwrap();
-    succeeds(room, &["wild.toml", "--solver", "forward-euler", "--frames", "50", "--png", "--every", "10"]);
+    explodes(room, &["wild.toml", "--solver", "forward-euler", "--frames", "50", "--png", "--every", "10"], "");
     assert_eq!(names(&room.join("out")).len(), 7);
     let report = report(room);
     assert_eq!(report["finite"], false);

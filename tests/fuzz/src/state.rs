@@ -55,7 +55,8 @@ fn step<S: Scalar>(bits: &[u32; NUMBERS], chosen: Option<u8>, number: fn(u32) ->
     facets.wind = vector();
     let mut air = AerodynamicWind::new(UNITS.aerodynamic_wind([0.0; 3], 1.2, 1.2));
     (air.wind, air.pressure) = (vector(), vector().x);
-    let mut ball = Sphere::new(UNITS.point([0.0; 3]), UNITS.length(0.3), UNITS.length(0.1)).with_friction(vector().x);
+    let mut ball = Sphere::new(UNITS.point([0.0; 3]), UNITS.length(0.3), UNITS.length(0.1));
+    ball.friction = vector().x;
     (ball.centre, ball.velocity) = (vector(), vector());
     let plane = Plane::new(UNITS.point([0.0; 3]), Vec3::from_f64([0.0, 0.6, 0.8]), UNITS.length(0.1));
     let [a, b] = [[0.1, 0.0, 0.0], [0.4, 0.3, 0.0]].map(|end| UNITS.point(end));

@@ -28,7 +28,8 @@ pub(crate) struct Floors {
 #[derive(Clone, Copy, Debug)]
 struct Point {
     configuration: Configuration,
-    /// RMS distance to the same in `f64`, over the sheet's size; infinite where one of them blew up.
+    /// RMS distance to the same in `f64`, over the sheet's size; infinite where one of them blew up, undefined where the number type has too few digits for a
+    /// step this short.
     rounding: f64,
     /// RMS distance to the solution, over the sheet's size.
     error: f64,
@@ -57,16 +58,18 @@ impl Floors {
             let precise = frames(exact)?;
             let point = |scalar| {
                 let configuration = Configuration { scalar, ..exact };
-                let found = frames(configuration)?;
+                let Ok(found) = frames(configuration) else {
+                    return Point { configuration, rounding: f64::NAN, error: f64::NAN };
+                };
                 let to = |other| found.as_ref().map_or(f64::INFINITY, |found| rms(found, other) / size(scene));
                 let rounding = precise.as_ref().map_or(f64::INFINITY, to);
-                Ok::<_, String>(Point { configuration, rounding, error: to(&orders.reference.positions) })
+                Point { configuration, rounding, error: to(&orders.reference.positions) }
             };
             let points = TYPES.map(point);
             bar.inc(1);
-            points.into_iter().collect::<Result<Vec<_>, _>>()
+            Ok::<_, String>(points)
         };
-        let points: Vec<Vec<Point>> = configurations.par_iter().map(run).collect::<Result<_, _>>()?;
+        let points: Vec<[Point; 3]> = configurations.par_iter().map(run).collect::<Result<_, _>>()?;
         Ok(Self {
             name: scene.name.clone(),
             substeps: orders.substeps.clone(),
@@ -102,7 +105,11 @@ impl Floors {
             kinds.map(|(index, scalar)| {
                 let (solver, sweeps) = USUAL[index];
                 let mut row = vec![format!("{} {}", name(solver, sweeps), scalar.name())];
-                row.extend(self.own(index, scalar).map(|point| scientific(point.rounding)));
+                row.extend(
+                    self.own(index, scalar).map(|point| {
+                        if point.rounding.is_nan() { "–".to_string() } else { scientific(point.rounding) }
+                    }),
+                );
                 let floor = self.own(index, scalar).min_by(|a, b| a.error.total_cmp(&b.error));
                 let floor = floor.filter(|point| point.error.is_finite());
                 row.push(floor.map_or("–".to_string(), |point| {
