@@ -70,5 +70,5 @@ fn blow<S: Scalar>(expected: u32) {
 #[test]
 fn a_flag_blows_on() {
     blow::<Q13>(0x85e2_6e33);
-    blow::<Q24>(0xe79a_c23f);
+    blow::<Q24>(0xb206_937f);
 }
