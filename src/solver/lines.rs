@@ -61,7 +61,7 @@ pub struct Lines<const N: usize = 4> {
     pub sweeps: u32,
     /// The largest strain of a row that needs no further sweep. Sheets in motion are strained by about as much.
     pub tolerance: f64,
-    /// The most sweeps in a substep, however strained rows are, and the most parts into which it is split where they don't get within the tolerance: what bounds the time
+    /// The most sweeps in a substep, however strained rows are, and the most parts into which it is split where they don't get within twice the tolerance: what bounds the time
     /// that a step takes. Sheets with a side of more than 32 particles may be split into 4 times as many parts, with one of more than 64 into 16 times as many.
     pub most_sweeps: u32,
 }
@@ -238,7 +238,6 @@ impl<const N: usize> Lines<N> {
             sweeps += 1;
         }
         relax.complete();
-        // the last sweep but one found rows within a part of the tolerance
         let plenty = before < tolerance.halve(5);
         memory.kept = if is_calm(particles, moment) { memory.kept.after(sweeps, plenty) } else { Kept::NONE };
         physics.links.confine(particles, moment);

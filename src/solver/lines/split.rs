@@ -2,8 +2,8 @@
 //!
 //! A sweep leaves 1 − c/N² of what it finds on a grid of N particles a side, so where a step is long for the grid, no affordable number of sweeps converges. What they leave
 //! acts as a soft spring in the place of a stiff one, stretches the sheet and gives it energy. What is to be solved in a step, however, shrinks with its square: two half steps with
-//! one sweep each are worth more than a step with any number of them. So when the sweeps of a substep end with a row strained beyond the tolerance, the next substep is
-//! made in four times as many equal parts, with as many sweeps fewer in each. When parts have been solved easily for a while, every two of them are joined again.
+//! one sweep each are worth more than a step with any number of them. So when the sweeps of a substep end with a row strained by more than twice the tolerance, the next substep
+//! is made in four times as many equal parts, with as many sweeps fewer in each. When parts have been solved easily for a while, every two of them are joined again.
 //!
 //! Parts are substeps in all respects: nothing is stiffened or damped that a shorter step of the caller would not. After a change the rule in time starts as after a
 //! rough substep, by backward Euler.
@@ -69,7 +69,7 @@ impl Split {
         most_sweeps: u32,
     ) -> bool {
         let before = self.halvings;
-        // parts twice as long have residuals up to four times as large: half of the tolerance
+        // parts twice as long have residuals up to four times as large: a quarter of what splits them
         let easy = outcome.few && outcome.residual < tolerance.halve(3);
         self.easy = if easy { self.easy + 1 } else { 0 };
         if outcome.residual > tolerance.double(1) {
