@@ -239,7 +239,9 @@ impl<const N: usize> Lines<N> {
         }
         relax.complete();
         let plenty = before < tolerance.halve(5);
-        memory.kept = if is_calm(particles, moment) { memory.kept.after(sweeps, plenty) } else { Kept::NONE };
+        // the least number needs no keeping
+        let keeps = sweeps > least_sweeps && is_calm(particles, moment);
+        memory.kept = if keeps { memory.kept.after(sweeps, plenty) } else { Kept::NONE };
         physics.links.confine(particles, moment);
         if let Some(start) = &start {
             contact::resolve(physics.colliders, particles, start, &mut memory.earlier, moment, false);
