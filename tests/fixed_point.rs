@@ -69,7 +69,7 @@ const DAMPED: Sheet = Sheet { origin: [0.0; 3], pins: &[0, SIDE - 1], speed: 0.0
 /// A place in a scene that is no corner of it: 5, 10 and 15 cells from its planes.
 const ELSEWHERE: [f64; 3] = [0.1, 0.2, 0.3];
 
-/// Whether `Q24` and `Q13` come as close to `f64` as they are said to, `f32` within 2e-6 at the origin; and whether `Q24` is as close elsewhere as at the origin,
+/// Whether `Q24` and `Q13` come as close to `f64` as they are said to, `f32` within 4e-6 at the origin; and whether `Q24` is as close elsewhere as at the origin,
 /// and no further off than so many times `f32`.
 fn ten_seconds<V: Solver<f64> + Solver<f32> + Solver<Q24> + Solver<Q13> + Copy>(
     solver: V,
@@ -79,7 +79,7 @@ fn ten_seconds<V: Solver<f64> + Solver<f32> + Solver<Q24> + Solver<Q13> + Copy>(
 ) {
     let sheet = Sheet { substeps, ..DAMPED };
     let exact = sheet.after_ten_seconds::<f64, _>(solver);
-    let floating = (sheet.after_ten_seconds::<f32, _>(solver), "f32", 2e-6);
+    let floating = (sheet.after_ten_seconds::<f32, _>(solver), "f32", 4e-6);
     let fixed = [
         (sheet.after_ten_seconds::<Q24, _>(solver), "q24", accurate),
         (sheet.after_ten_seconds::<Q13, _>(solver), "q13", fast),
@@ -106,8 +106,8 @@ fn after_ten_seconds_fixed_point_is_where_f64_is() {
     ten_seconds(Xpbd, 32, [1e-5, 8e-5], 1.2);
     ten_seconds(Xpbd, 128, [8e-5, 5e-4], 4.0);
     ten_seconds(Verlet { sweeps: 8 }, 1, [1e-6, 2e-5], 1.2);
-    ten_seconds(Lines::<6>::with_sweeps(1), 1, [1e-6, 8e-5], 1.2);
-    ten_seconds(Lines::<6>::with_sweeps(2), 4, [2e-6, 8e-5], 1.2);
+    ten_seconds(Lines::<6>::with_sweeps(1), 1, [6e-6, 8e-5], 1.2);
+    ten_seconds(Lines::<6>::with_sweeps(2), 4, [6e-6, 8e-5], 1.2);
 }
 
 /// Steps in which a sheet at rest is looked at.
@@ -156,7 +156,7 @@ fn a_sheet_at_rest_trembles_by_a_few_last_places_and_neither_creeps_nor_drifts()
     for (solver, Rest { furthest, drift }, place, most) in [
         ("xpbd, q24", at_rest::<Q24, _>(Xpbd, 8), q24, 10.0),
         ("verlet, q24", at_rest::<Q24, _>(Verlet { sweeps: 8 }, 1), q24, 10.0),
-        ("lines, q24", at_rest::<Q24, _>(Lines::<6>::with_sweeps(1), 1), q24, 10.0),
+        ("lines, q24", at_rest::<Q24, _>(Lines::<6>::with_sweeps(1), 1), q24, 20.0),
         ("xpbd, q13", at_rest::<Q13, _>(Xpbd, 8), q13, 2.0),
         ("verlet, q13", at_rest::<Q13, _>(Verlet { sweeps: 8 }, 1), q13, 2.0),
         ("lines, q13", at_rest::<Q13, _>(Lines::<6>::with_sweeps(1), 1), q13, 8.0),

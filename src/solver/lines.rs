@@ -10,21 +10,26 @@
 //!
 //! **Dampers** act on all velocities at once, by rows and columns, too ([`viscosity`]).
 //!
-//! **In space** a sweep relaxes the other families, then solves all rows, then all columns ([`chain`]); after each, particles are moved out of colliders. Rows and columns
-//! pull each other out of shape, so sweeps go on until a row is met whose links are within the tolerance: where the sheet swings two are enough, where it
-//! snaps taut more are spent; where their number [flickers](flicker), it is kept. The multipliers of rows and columns start from nothing: on a stiff sheet a
-//! part of the last ones does not die away, and shakes it. Those of other families start from a part of the last ones where they are soft, which is worth a sweep.
+//! **In space** a sweep solves the other families, all rows and all columns, one after the other; after each sweep, particles are moved out of colliders. Rows, columns and
+//! the diagonals of the cells are chains, each solved exactly ([`chain`], [`diagonal`]); diagonals up to κ = k·h²/m = 32 and all other links are relaxed
+//! one by one ([`pairs`]). Families pull each other out of shape, so sweeps go on until every row is within the tolerance when it is met: where the sheet swings two are
+//! enough, where it snaps taut more are spent; once it is calm their number is [kept](sweeps). All multipliers start from nothing: on a stiff sheet a part of the last ones
+//! does not die away, and shakes it.
+//!
+//! **Steps too long for sweeps** are [split]: what a sweep leaves shrinks by 1 − c/N² on a grid of N particles a side, but with the square of the step.
 
 mod chain;
 mod contact;
+mod diagonal;
 mod ease;
-mod flicker;
 mod heavy;
 mod held_back;
 mod pairs;
 mod predict;
 mod pull;
 mod relax;
+mod split;
+mod sweeps;
 mod viscosity;
 
 use crate::collider::Collider;
@@ -39,24 +44,25 @@ use crate::solver::{Physics, Solver};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-use flicker::Flicker;
 use pull::Pull;
 use relax::Relax;
+use split::{Outcome, Split};
+use sweeps::Kept;
 use viscosity::Axes;
 
-/// Second order in time, exact along rows and columns, stable for any stiffness and step: the solver for sheets that hardly stretch.
+/// Second order in time, exact along rows, columns and diagonals, stable for any stiffness and step: the solver for sheets that hardly stretch.
 ///
-/// `N` is the number of grids of multipliers that it remembers: one for each direction of links in the scene, in the order in which the scene names
-/// them, two for stretch, shear and bend each. Families beyond that start every substep from nothing, which costs accuracy only; rows and columns, without which
-/// nothing holds, come first wherever they are named, so at least two. Where links may be [damped](crate::link::Damped) three more: 7 for stretch and shear, 9
-/// with bend.
+/// `N` is the number of grids of multipliers that it has: one for each direction of links in the scene, in the order in which the scene names them, two for stretch, shear and
+/// bend each. Families beyond that act once in every substep, which costs accuracy only; rows and columns, without which nothing holds, come first wherever they are named,
+/// so at least two. Where links may be [damped](crate::link::Damped) three more: 7 for stretch and shear, 9 with bend.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lines<const N: usize = 4> {
     /// Sweeps in every substep, at least one. More make a substep more accurate; the order is 2 with any number.
     pub sweeps: u32,
     /// The largest strain of a row that needs no further sweep. Sheets in motion are strained by about as much.
     pub tolerance: f64,
-    /// The most sweeps in a substep, however strained rows are: what bounds the time that a step takes.
+    /// The most sweeps in a substep, however strained rows are, and the most parts into which it is split where they don't get within twice the tolerance: what bounds the time
+    /// that a step takes. Sheets with a side of more than 32 particles may be split into 4 times as many parts, with one of more than 64 into 16 times as many.
     pub most_sweeps: u32,
 }
 
@@ -96,25 +102,24 @@ impl<const N: usize> Default for Lines<N> {
     }
 }
 
-/// The part of their last multipliers from which links other than rows and columns start, where they are softer than inertia (κ = k·h²/m ≤ 1). A larger part
-/// is more accurate where a sheet swings, and shakes a stiff one. What a stiffer family's multipliers have that moves nothing does not die away from substep to
-/// substep, and tears a sheet of 32 × 32 apart whose diagonals are as stiff as its rows.
-const WARM: f64 = 0.8;
+/// The most sweeps before a substep is split rather than swept on, unless more are asked for: what more of them do is done better by shorter steps.
+const PATIENCE: u32 = 4;
 
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
 
-/// How far particles move in a substep of a sheet whose sweeps may be kept, cells. Where they move further, that is what their number follows.
-const CALM: f64 = 0.2;
+/// How far particles move at most in a substep of a sheet that is calm, cells.
+const CALM: f64 = 0.02;
 
 /// What a sheet's motion leaves behind.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
     /// The velocity before the last substep, cells per tick.
     earlier: Vectors<S, W, H>,
-    /// The multiplier of each link, at its upper or left particle, in cells over the dividend of the link's strength.
+    /// The multiplier of each link in the last sweep, at its upper or left particle, in cells over the dividend of the link's strength.
     tension: [Grid<S, W, H>; N],
-    flicker: Flicker,
+    kept: Kept,
+    split: Split,
     history: History,
 }
 
@@ -123,7 +128,7 @@ impl<S: Scalar, const W: usize, const H: usize, const N: usize> Memory<S, W, H, 
     pub const BLANK: Self = {
         assert!(N >= 2, "the line solver remembers rows and columns at least");
         let (earlier, tension) = (Vectors::filled(Vec3::ZERO), [Grid::filled(S::ZERO); N]);
-        Self { earlier, tension, flicker: Flicker::NONE, history: History::None }
+        Self { earlier, tension, kept: Kept::NONE, split: Split::NONE, history: History::None }
     };
 }
 
@@ -134,10 +139,8 @@ enum History {
     None,
     /// The last substep ended far from a solution.
     Rough,
-    /// The velocity before the last substep, which was backward Euler.
+    /// The velocity before the last substep.
     Velocity,
-    /// That velocity and the multipliers.
-    Full,
 }
 
 impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
@@ -157,13 +160,47 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         memory: &mut Self::Memory<W, H>,
         moment: Moment,
     ) {
+        if memory.history == History::None {
+            memory.split = Split::start(W.max(H), self.most_sweeps);
+        }
+        let split = memory.split.halvings();
+        let before = (moment.substep - 1) << split;
+        let mut outcome = Outcome::NONE;
+        for part in 1..=1 << split {
+            let moment = Moment {
+                substep: before + part,
+                substeps: moment.substeps << split,
+                shift: moment.shift + split,
+                ..moment
+            };
+            outcome = outcome.and(self.part(physics, particles, memory, moment, split));
+        }
+        if memory.split.learn(&outcome, S::from_f64(self.tolerance), W.max(H), self.most_sweeps) {
+            memory.history = History::Rough;
+            memory.kept = Kept::NONE;
+        }
+    }
+}
+
+impl<const N: usize> Lines<N> {
+    /// Moves particles by a part of a substep: a half, a quarter and so on, `split` times halved.
+    fn part<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        particles: &mut Particles<S, W, H>,
+        memory: &mut Memory<S, W, H, N>,
+        moment: Moment,
+        split: u32,
+    ) -> Outcome<S> {
+        let most_sweeps = (self.most_sweeps >> split).max(1);
+        let least_sweeps = self.sweeps.clamp(1, most_sweeps);
         let first_order = memory.history == History::Rough;
         // what friction looks back to
         let start = physics.colliders.is_present().then_some(particles.position);
         if first_order {
-            predict::first_order(physics.forces, particles, memory, moment);
+            predict::first_order(physics.forces, particles, memory, moment, split);
         } else {
-            predict::second_order(physics.forces, particles, memory, moment);
+            predict::second_order(physics.forces, particles, memory, moment, split);
         }
         // the rule in time: x' depends on v' by part·h, and v' on a' by part·h/(1 + part·γ·h)
         let (moment, part) = if first_order || memory.history == History::None {
@@ -171,29 +208,28 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         } else {
             (Moment { halves: 3, ..moment }, S::from_int(2).divide(S::from_int(3)))
         };
-        let response = part.divide(S::ONE + part * physics.forces.drag().rate);
-        let softness = part * response;
+        let response = part.divide(S::ONE + part * physics.forces.drag().rate.halve(split));
+        let softness = (part * response).halve(2 * split);
+        let response = response.halve(split);
         let (tension, pull) = memory.tension.split_at_mut(N - const { spare::<S, L>(N) });
         let mut viscous = pull
             .first_chunk_mut()
             .and_then(|pull| Some((Pull(pull), Axes::of(physics.links, &particles.inverse_mass, response)?)));
         let started = viscous.as_mut().map(|(pull, axes)| {
-            if memory.history == History::None {
+            if memory.history != History::Velocity {
                 pull.forget();
             }
             pull.damp(physics.links, particles, moment, part, axes)
         });
         let mut relax = Relax::new(particles, tension, moment, softness);
         relax.set_aside();
-        if memory.history == History::Full {
-            relax.start(physics.links);
-        } else {
-            relax.forget();
-        }
+        relax.forget();
+        let none_is_light = relax.none_is_light;
+        let patience = if none_is_light { most_sweeps.min(PATIENCE).max(least_sweeps) } else { most_sweeps };
         let tolerance = S::from_f64(self.tolerance);
         let (mut before, mut met) = (S::ZERO, relax.sweep(physics.links, true));
-        let (mut sweeps, least) = (1, self.sweeps.max(memory.flicker.kept()));
-        while sweeps < self.most_sweeps && (sweeps < least || met > tolerance) {
+        let (mut sweeps, least) = (1, least_sweeps.max(memory.kept.number()));
+        while sweeps < if met > S::ONE { most_sweeps } else { patience } && (sweeps < least || met > tolerance) {
             if let Some(start) = &start {
                 // between the sweeps, so that links answer to what a collider does to them
                 contact::resolve(physics.colliders, relax.particles, start, &mut memory.earlier, moment, true);
@@ -202,12 +238,10 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             sweeps += 1;
         }
         relax.complete();
-        // the last sweep but one has met rows within a quarter of the tolerance
-        memory.flicker.learn(sweeps, self.sweeps, before < tolerance.halve(2));
-        if memory.flicker.kept() > 0 && !is_calm(particles, moment) {
-            memory.flicker.release();
-        }
-        let rough = met > S::from_f64(ROUGH);
+        let plenty = before < tolerance.halve(5);
+        // the least number needs no keeping
+        let keeps = sweeps > least_sweeps && is_calm(particles, moment);
+        memory.kept = if keeps { memory.kept.after(sweeps, plenty) } else { Kept::NONE };
         physics.links.confine(particles, moment);
         if let Some(start) = &start {
             contact::resolve(physics.colliders, particles, start, &mut memory.earlier, moment, false);
@@ -217,11 +251,10 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             let share = if part == S::ONE { S::from_f64(2.0 / 3.0) } else { S::ONE };
             pull.complete(physics.links, particles, started, axes, share);
         }
-        memory.history = match (rough, first_order) {
-            (true, _) => History::Rough,
-            (false, true) => History::Velocity,
-            (false, false) => History::Full,
-        };
+        memory.history = if met > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
+        // what is overstretched comes together by sweeps: shorter steps would throw it
+        let residual = if met > S::ONE || !none_is_light { S::ZERO } else { met };
+        Outcome { residual, few: sweeps <= least_sweeps }
     }
 }
 
@@ -239,7 +272,7 @@ const fn spare<S: Scalar, L: Links<S>>(grids: usize) -> usize {
 }
 
 /// Whether no particle moves by more than a part of a cell in a substep. In motion one of the first does.
-#[inline(never)] // few substeps ask
+#[inline(never)] // one for all scenes
 fn is_calm<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, moment: Moment) -> bool {
     // fixed point holds no larger speeds than those of 512 substeps
     let most = S::from_f64(CALM).double(moment.shift.min(9));

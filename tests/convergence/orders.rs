@@ -17,7 +17,7 @@ const METHODS: [(Method, Range<f64>, u32); 11] = [
     (Method::Verlet(1), FIRST, 128),
     (Method::Verlet(4), FIRST, 64),
     (Method::Xpbd, FIRST, 128),
-    (Method::Lines(1), SECOND, 64),
+    (Method::Lines(1), SECOND, 128),
     (Method::Lines(2), SECOND, 64),
     (Method::Lines(4), SECOND, 64),
     (Method::LinesForgetful, SECOND, 64),

@@ -34,13 +34,13 @@ const COARSE_FLAG: Sheet = Sheet { side: 16, mass: 4.0, ..FLAG };
 #[rustfmt::skip]
 const GOALS: [Goal; 12] = [
     Goal { sheet: TWO_CORNERS, substeps:  4, tolerance: 0.1,   error: 1e-2, strain: 0.1,   operations:  2_900.0 },
-    Goal { sheet: TWO_CORNERS, substeps:  6, tolerance: 0.005, error: 1e-3, strain: 0.005, operations:  8_600.0 },
-    Goal { sheet: TWO_CORNERS, substeps:  8, tolerance: 0.02,  error: 2e-3, strain: 0.005, operations:  5_700.0 },
+    Goal { sheet: TWO_CORNERS, substeps:  7, tolerance: 0.005, error: 1e-3, strain: 0.005, operations:  8_600.0 },
+    Goal { sheet: TWO_CORNERS, substeps:  9, tolerance: 0.02,  error: 2e-3, strain: 0.005, operations:  5_700.0 },
     Goal { sheet: TWO_CORNERS, substeps: 24, tolerance: 0.02,  error: 1e-4, strain: 0.005, operations: 17_000.0 },
     Goal { sheet: TOP_EDGE,    substeps:  3, tolerance: 0.02,  error: 1e-3, strain: 0.005, operations:  2_200.0 },
     Goal { sheet: TOP_EDGE,    substeps: 12, tolerance: 0.02,  error: 1e-4, strain: 0.005, operations:  8_700.0 },
     Goal { sheet: FLAG,        substeps:  2, tolerance: 0.02,  error: 5e-3, strain: 0.01,  operations:  1_900.0 },
-    Goal { sheet: FLAG,        substeps:  8, tolerance: 0.02,  error: 1e-3, strain: 0.005, operations:  7_010.0 },
+    Goal { sheet: FLAG,        substeps:  8, tolerance: 0.02,  error: 1e-3, strain: 0.005, operations:  7_000.0 },
     Goal { sheet: WIND,        substeps:  8, tolerance: 0.02,  error: 2e-3, strain: 0.005, operations:  7_000.0 },
     Goal { sheet: WIND,        substeps: 24, tolerance: 0.02,  error: 1.5e-4, strain: 0.005, operations: 21_000.0 },
     Goal { sheet: COARSE_FLAG, substeps:  8, tolerance: 0.02,  error: 1e-3, strain: 0.005, operations:  7_000.0 },

@@ -69,6 +69,6 @@ fn blow<S: Scalar>(expected: u32) {
 
 #[test]
 fn a_flag_blows_on() {
-    blow::<Q13>(0x46c2_1452);
-    blow::<Q24>(0x1425_85ef);
+    blow::<Q13>(0x85e2_6e33);
+    blow::<Q24>(0xb206_937f);
 }

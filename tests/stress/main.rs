@@ -10,6 +10,7 @@ mod heavy_border;
 mod heavy_limit;
 mod heavy_pair;
 mod held_row;
+mod laid;
 mod large_triangles;
 mod light_border;
 mod light_row;

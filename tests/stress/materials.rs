@@ -1,8 +1,8 @@
 //! Materials and steps from one end to the other.
 
-use kerchief::{Lines, Node, Scalar, Solver};
+use kerchief::{Lines, Node, Q13, Q24, Scalar, Solver};
 
-use crate::ordeal::{Complaints, Ordeal, default_solver, other_solvers};
+use crate::ordeal::{Complaints, Ordeal, default_in, default_solver, other_solvers};
 use crate::stage::{CLOTH, Sheet, Stage};
 
 /// A sheet whose particles are kicked in all directions, by up to 3 m/s.
@@ -77,7 +77,13 @@ fn a_particle_a_thousand_times_as_heavy() {
             let kicked = Kicked { heavy: 1000.0, ..Kicked::new(stretch, frame) };
             // rows within the tolerance may move that particle's neighbours by a seventh of it in a substep
             let still = if frame < 0.01 { Lines::new().tolerance / 7.0 / frame } else { kicked.still };
-            default_solver::<8, 8>(&mut complaints, &what, &Kicked { still, ..kicked });
+            let kicked = Kicked { still: still.max(0.03), ..kicked };
+            default_in::<f32, 8, 8>(&mut complaints, &what, &kicked);
+            default_in::<f64, 8, 8>(&mut complaints, &what, &kicked);
+            default_in::<Q24, 8, 8>(&mut complaints, &what, &kicked);
+            // where substeps stay split, what q13 measures amiss beside such a particle keeps a nearly rigid sheet moving
+            let still = if stretch > 1e4 { 1.0 } else { still };
+            default_in::<Q13, 8, 8>(&mut complaints, &what, &Kicked { still, ..kicked });
         }
     }
     let heavy = Kicked { heavy: 1000.0, ..Kicked::new(1e4, 1.0 / 60.0) };

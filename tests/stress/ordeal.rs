@@ -67,7 +67,7 @@ fn run<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
     let (speed, strain) = (stage.speed() / sheet.size, stage.strain());
     // q13 measures links to 2⁻¹³ cells, which in a short step of a stiff sheet is a speed
     let measured = if S::NAME == Q13::NAME {
-        32.0 / 8192.0 / (W - 1) as f64 / (sheet.frame / f64::from(sheet.substeps))
+        64.0 / 8192.0 / (W - 1) as f64 / (sheet.frame / f64::from(sheet.substeps))
     } else {
         0.0
     };

@@ -9,7 +9,9 @@
 //! between a·w and 2·a·w + b.
 //!
 //! Columns are solved side by side, [`LANES`] at a time. A row is eliminated from both its ends to its middle (a twisted factorisation), so that a mirrored
-//! sheet of even width is solved as the mirror image, to the last bit; all of a row but the elimination is done for many links at once.
+//! sheet of even width is solved as the mirror image, to the last bit in floats; all of a row but the elimination is done for many links at once.
+
+use heapless::Vec;
 
 use crate::grid::Grid;
 use crate::link::Quotient;
@@ -20,9 +22,10 @@ use crate::solver::ordinary::Ordinary;
 use crate::vec3::Vec3;
 use crate::vectors::{SIDE_BY_SIDE, ahead, behind, columns};
 
+use super::diagonal::each_diagonal;
 use super::ease::{TAUT, ease};
 use super::heavy::Heavy;
-use super::held_back::{harmless, held_back, held_back_column};
+use super::held_back::{harmless, held_back};
 use super::{displace, displace_row};
 
 /// Columns that are solved side by side, where a machine computes several numbers at once: two of its vectors of `f32`.
@@ -42,17 +45,17 @@ pub(super) struct Chain<'a, S, const W: usize, const H: usize> {
 
 /// What elimination leaves of one link's equation: the change of its multiplier is `right + factor · (change of the next)`.
 #[derive(Clone, Copy)]
-struct Eliminated<S> {
-    pivot: S,
-    right: S,
+pub(super) struct Eliminated<S> {
+    pub(super) pivot: S,
+    pub(super) right: S,
 }
 
 impl<S: Scalar> Eliminated<S> {
-    const NONE: Self = Self { pivot: S::ZERO, right: S::ZERO };
+    pub(super) const NONE: Self = Self { pivot: S::ZERO, right: S::ZERO };
 
     /// The next link, and the factor of its change in this one's.
     #[inline(always)]
-    fn next<const ORDINARY: bool>(self, diagonal: S, coupling: S, residual: S) -> (Self, S) {
+    pub(super) fn next<const ORDINARY: bool>(self, diagonal: S, coupling: S, residual: S) -> (Self, S) {
         let factor = times::<ORDINARY, S>(coupling, self.pivot);
         let pivot = (diagonal - times::<ORDINARY, S>(factor, coupling)).recip();
         let right = times::<ORDINARY, S>(residual + times::<ORDINARY, S>(self.right, coupling), pivot);
@@ -63,12 +66,12 @@ impl<S: Scalar> Eliminated<S> {
 /// The dividend in a link's own coefficient. A taut chain between two pins has no pivot but for the divisor, and what floats round of light particles' inverse masses is
 /// more: of that a little is left. Fixed point has no masses that light.
 #[inline(always)]
-fn yielding<S: Scalar>(dividend: S) -> S {
+pub(super) fn yielding<S: Scalar>(dividend: S) -> S {
     if S::FLOATS { dividend + S::from_f64(4.0 * S::RESOLUTION) } else { dividend }
 }
 
 /// Whether products with masses are skipped where all are 1: not where they cost no more than looking.
-const fn skips_masses<S: Scalar>() -> bool {
+pub(super) const fn skips_masses<S: Scalar>() -> bool {
     !(S::FLOATS && SIDE_BY_SIDE)
 }
 
@@ -122,7 +125,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         for k in 0..W {
             worst = worst.max(residual[k].abs());
         }
-        let divisor = self.divisor::<ORDINARY, W>(worst, || held_back(&residual, &w));
+        let divisor = self.divisor::<ORDINARY, W>(worst, || held_back(&residual, &w, W));
         // of each link with the one after it
         let normal_next = ahead::<1, S, W>(&normal);
         for k in columns::<2, 0, W>() {
@@ -197,8 +200,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             most = most.max(change[k]);
         }
         if self.is_taut(most, heavy) {
-            let by =
-                ease(&normal, &change.map(|change| self.strength.times_dividend(change)), &w, self.rest.inverse, heavy);
+            let tension = change.map(|change| self.strength.times_dividend(change));
+            let by = ease(&normal, &tension, &w, W, self.rest.inverse, heavy);
             displace_row(particles, row, |k| by.at(k), self.moment);
         }
         worst
@@ -214,7 +217,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     /// Whether a chain whose largest multiplier this is has a tension that shakes it.
     #[inline(always)]
-    fn is_taut(&self, most: S, heavy: Heavy) -> bool {
+    pub(super) fn is_taut(&self, most: S, heavy: Heavy) -> bool {
         most.scaled(self.strength.dividend) > heavy.bound(self.rest.length * S::from_f64(TAUT))
     }
 
@@ -241,126 +244,235 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     }
 
     fn some<const N: usize>(&self, particles: &mut Particles<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) -> S {
-        if const { skips_masses::<S>() } && self.ordinary.columns.iter().skip(first).take(N).all(|ordinary| *ordinary) {
-            self.side_by_side::<N, true>(particles, first, tension)
+        let place = Place { top: 0, first, count: H, slant: 0 };
+        if const { skips_masses::<S>() } {
+            self.one(particles, place, tension, self.ordinary.columns[first.min(W - 1)])
         } else {
-            self.side_by_side::<N, false>(particles, first, tension)
+            self.side_by_side::<N, false, false>(particles, place, tension)
         }
     }
 
-    /// Solves `N` columns. Returns their largest residual where they were held back.
-    #[inline(never)] // so that sheet and multipliers are known to be apart
-    fn side_by_side<const N: usize, const ORDINARY: bool>(
+    /// Solves the diagonals of the cells of one colour, one after the other. Returns as [`columns`](Self::columns).
+    pub(super) fn diagonals_one_by_one(
         &self,
         particles: &mut Particles<S, W, H>,
-        first: usize,
+        colour: usize,
         tension: &mut Grid<S, W, H>,
     ) -> S {
-        if N > W || first > W - N {
+        let mut unsolved = S::ZERO;
+        each_diagonal::<W, H>(colour, |place| {
+            let inverse_mass = |k: usize| particles.inverse_mass.0[place.row::<H>(k)][place.column::<1, W>(k)];
+            let ordinary = (0..place.count).all(|k| inverse_mass(k) == S::ONE);
+            unsolved = unsolved.max(self.one(particles, place, tension, ordinary));
+        });
+        unsolved
+    }
+
+    /// Solves one chain, whose particles may all have mass 1.
+    fn one(&self, particles: &mut Particles<S, W, H>, place: Place, tension: &mut Grid<S, W, H>, ordinary: bool) -> S {
+        if ordinary {
+            self.side_by_side::<1, true, true>(particles, place, tension)
+        } else {
+            self.side_by_side::<1, false, true>(particles, place, tension)
+        }
+    }
+
+    /// Solves `N` chains. Returns their largest residual where they were held back.
+    #[inline(never)] // so that sheet and multipliers are known to be apart
+    fn side_by_side<const N: usize, const ORDINARY: bool, const ANYWHERE: bool>(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        place: Place,
+        tension: &mut Grid<S, W, H>,
+    ) -> S {
+        // columns' extent is known when this is compiled
+        let place = if ANYWHERE { place } else { Place { top: 0, count: H, slant: 0, ..place } };
+        let Place { top, first, count, .. } = place;
+        if N > W || first > W - N || count > H || top > H - count {
             return S::ZERO; // said once, no column needs to be looked for
         }
         let dividend = self.strength.dividend;
         let own = yielding(dividend);
         let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
-        let mut normals = [Vec3::<[S; N]>::row(Vec3::ZERO); H];
-        let mut factors = [[S::ZERO; N]; H];
-        let mut changes = [[S::ZERO; N]; H];
+        // pushed one by one, so that none has to be written twice
+        let mut links = Vec::<Link<S, N>, H>::new();
         let mut worst = S::ZERO;
-        for row in 0..H.saturating_sub(1) {
-            let [x, y] = [&particles.position.0[row], &particles.position.0[row + 1]];
+        for k in 0..count.saturating_sub(1) {
+            let (above, below) = (place.row::<H>(k), place.row::<H>(k + 1));
+            let [x, y] = [&particles.position.0[above], &particles.position.0[below]];
+            let mut link = Link { normal: Vec3::row(Vec3::ZERO), change: [S::ZERO; N], factor: [S::ZERO; N] };
             for lane in 0..N {
-                let column = first + lane;
-                let (excess, normal) = (y.at(column) - x.at(column)).direction(self.rest);
-                let residual = excess - heavy.scaled(self.strength.times_divisor(tension.0[row][column]));
+                let [here, next] = [place.column::<N, W>(k) + lane, place.column::<N, W>(k + 1) + lane];
+                let (excess, normal) = (y.at(next) - x.at(here)).direction(self.rest);
+                let residual = excess - heavy.scaled(self.strength.times_divisor(tension.0[above][here]));
                 if !S::FLOATS {
                     worst = worst.max(residual.abs());
                 }
-                normals[row].set(lane, normal);
-                changes[row][lane] = residual;
+                link.normal.set(lane, normal);
+                link.change[lane] = residual;
             }
+            _ = links.push(link); // there is room for all
         }
         let divisor = (0..N).fold(S::ZERO, |divisor, lane| {
-            let added = || held_back_column(&changes, lane, particles, first + lane, heavy);
+            let added = || Self::held_back(&links, particles, place, lane, heavy);
             divisor.max(self.divisor::<ORDINARY, H>(worst, added))
         });
         let is_held_back = divisor > heavy.scaled(self.strength.divisor);
         let mut above = [Eliminated::NONE; N];
-        for row in 0..H.saturating_sub(1) {
-            let [u, v] = [&particles.inverse_mass.0[row], &particles.inverse_mass.0[row + 1]];
-            let before = if row > 0 { normals[row - 1] } else { normals[H - 1] };
+        let mut before = Vec3::<[S; N]>::row(Vec3::ZERO);
+        for (k, link) in links.iter_mut().enumerate() {
+            let [u, v] =
+                [&particles.inverse_mass.0[place.row::<H>(k)], &particles.inverse_mass.0[place.row::<H>(k + 1)]];
             for lane in 0..N {
-                let column = first + lane;
-                let coupling = before.at(lane).cosine(normals[row].at(lane)).scaled(dividend);
+                let coupling = before.at(lane).cosine(link.normal.at(lane)).scaled(dividend);
                 let (coupling, inverse_mass) = if ORDINARY {
                     (coupling, S::ONE + S::ONE)
                 } else {
-                    let [here, next] = [u, v].map(|w| heavy.scaled(w[column]));
+                    let here = heavy.scaled(u[place.column::<N, W>(k) + lane]);
+                    let next = heavy.scaled(v[place.column::<N, W>(k + 1) + lane]);
                     (coupling * here, here + next)
                 };
                 let diagonal = inverse_mass * own + divisor;
-                let factor;
-                (above[lane], factor) = above[lane].next::<ORDINARY>(diagonal, coupling, changes[row][lane]);
-                factors[row][lane] = factor;
-                changes[row][lane] = above[lane].right;
+                (above[lane], link.factor[lane]) = above[lane].next::<ORDINARY>(diagonal, coupling, link.change[lane]);
+                link.change[lane] = above[lane].right;
             }
+            before = link.normal;
         }
-        let [mut change, mut most] = [[S::ZERO; N]; 2];
+        let [mut change, mut factor, mut most] = [[S::ZERO; N]; 3];
         let mut below = Vec3::<[S; N]>::row(Vec3::ZERO);
-        for row in (0..H).rev() {
+        let displace = |particles: &mut Particles<S, W, H>, k: usize, by: Vec3<[S; N]>| {
+            let row = place.row::<H>(k);
             let w = &particles.inverse_mass.0[row];
-            // the least of both says to the compiler what it is
-            let link_above = (if row > 0 { row - 1 } else { H - 1 }).min(H - 1);
             let (x, v) = (&mut particles.position.0[row], &mut particles.velocity.0[row]);
-            let mut pull = below;
             for lane in 0..N {
-                change[lane] = changes[link_above][lane] + times::<ORDINARY, S>(change[lane], factors[row][lane]);
-                changes[link_above][lane] = change[lane];
+                let column = place.column::<N, W>(k) + lane;
+                let by = by.at(lane);
+                displace(x, v, column, if ORDINARY { by } else { by * heavy.scaled(w[column]) }, self.moment);
+            }
+        };
+        for (k, link) in links.iter_mut().enumerate().rev() {
+            let tension = &mut tension.0[place.row::<H>(k)];
+            let (mut pull, mut by) = (below, below);
+            for lane in 0..N {
+                change[lane] = link.change[lane] + times::<ORDINARY, S>(change[lane], factor[lane]);
+                link.change[lane] = change[lane];
                 most[lane] = most[lane].max(change[lane]);
                 pull.set(
                     lane,
-                    normals[link_above].at(lane).of_length(self.strength.times_dividend(change[lane]), self.rounding),
+                    link.normal.at(lane).of_length(self.strength.times_dividend(change[lane]), self.rounding),
                 );
-            }
-            let tension = &mut tension.0[link_above];
-            for lane in 0..N {
-                tension[first + lane] = tension[first + lane].difference(-change[lane]); // does not wrap
+                by.set(lane, below.at(lane) - pull.at(lane));
             }
             for lane in 0..N {
-                let column = first + lane;
-                let by = below.at(lane) - pull.at(lane);
-                displace(x, v, column, if ORDINARY { by } else { by * heavy.scaled(w[column]) }, self.moment);
+                let column = place.column::<N, W>(k) + lane;
+                tension[column] = tension[column].difference(-change[lane]); // does not wrap
             }
-            below = pull;
+            displace(particles, k + 1, by);
+            (below, factor) = (pull, link.factor);
         }
+        displace(particles, 0, below);
         for lane in 0..N {
             if self.is_taut(most[lane], heavy) {
-                self.ease_column(particles, first, lane, (&normals, &changes), heavy);
+                self.ease_one(&links, particles, place, lane, heavy);
             }
         }
         if is_held_back { worst } else { S::ZERO }
     }
 
-    /// Eases one of some columns, whose links have these directions and changes of multipliers.
-    #[inline(never)] // few columns are that taut
-    fn ease_column<const N: usize>(
-        &self,
-        particles: &mut Particles<S, W, H>,
-        first: usize,
+    /// What is added to the diagonal of one of some chains, whose residuals are known.
+    #[cold]
+    #[inline(never)]
+    fn held_back<const N: usize>(
+        links: &[Link<S, N>],
+        particles: &Particles<S, W, H>,
+        place: Place,
         lane: usize,
-        (normals, changes): (&[Vec3<[S; N]>; H], &[[S; N]; H]),
+        heavy: Heavy,
+    ) -> S {
+        let lane = lane.min(N - 1);
+        let mut residual = [S::ZERO; H];
+        residual.iter_mut().zip(links).for_each(|(residual, link)| *residual = link.change[lane]);
+        held_back(&residual, &Self::inverse_masses(particles, place, lane, heavy), place.count)
+    }
+
+    /// Eases one of some chains.
+    #[inline(never)] // few chains are that taut
+    fn ease_one<const N: usize>(
+        &self,
+        links: &[Link<S, N>],
+        particles: &mut Particles<S, W, H>,
+        place: Place,
+        lane: usize,
         heavy: Heavy,
     ) {
-        let column = first + lane;
+        let lane = lane.min(N - 1);
         let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
-        let mut tension = [S::ZERO; H];
-        for row in 0..H {
-            normal.set(row, normals[row].at(lane));
-            tension[row] = self.strength.times_dividend(changes[row][lane]);
+        let mut change = [S::ZERO; H];
+        for (k, link) in links.iter().enumerate().take(H) {
+            normal.set(k, link.normal.at(lane));
+            change[k] = link.change[lane];
         }
-        let w = core::array::from_fn(|row| heavy.scaled(particles.inverse_mass.0[row][column]));
-        let by = ease(&normal, &tension, &w, self.rest.inverse, heavy);
-        for row in 0..H {
-            displace(&mut particles.position.0[row], &mut particles.velocity.0[row], column, by.at(row), self.moment);
+        self.ease(particles, place, lane, (&normal, &change), heavy);
+    }
+
+    fn inverse_masses(particles: &Particles<S, W, H>, place: Place, lane: usize, heavy: Heavy) -> [S; H] {
+        core::array::from_fn(|k| {
+            if k < place.count {
+                heavy.scaled(particles.inverse_mass.0[place.row::<H>(k)][(place.column::<1, W>(k) + lane).min(W - 1)])
+            } else {
+                S::ZERO
+            }
+        })
+    }
+
+    /// Eases one of some chains, whose links have these directions and changes of multipliers.
+    #[inline(never)] // few chains are that taut
+    pub(super) fn ease(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        place: Place,
+        lane: usize,
+        (normal, changes): (&Vec3<[S; H]>, &[S; H]),
+        heavy: Heavy,
+    ) {
+        let tension = changes.map(|change| self.strength.times_dividend(change));
+        let w = Self::inverse_masses(particles, place, lane, heavy);
+        let by = ease(normal, &tension, &w, place.count, self.rest.inverse, heavy);
+        for k in 0..place.count.min(H) {
+            let (row, column) = (place.row::<H>(k), (place.column::<1, W>(k) + lane).min(W - 1));
+            displace(&mut particles.position.0[row], &mut particles.velocity.0[row], column, by.at(k), self.moment);
         }
+    }
+}
+
+/// Links of some chains side by side.
+struct Link<S, const N: usize> {
+    normal: Vec3<[S; N]>,
+    /// At first the residual, in the end what the multiplier changes by.
+    change: [S; N],
+    /// The part of its change that the change of the link above has of it.
+    factor: [S; N],
+}
+
+/// Where a chain lies: it starts in row `top` and column `first`, and has a particle in each of `count` rows, `slant` columns further in each.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    pub(super) top: usize,
+    pub(super) first: usize,
+    pub(super) count: usize,
+    pub(super) slant: isize,
+}
+
+impl Place {
+    /// The row of the chain's particle `k`; within the grid for a compiler to see, so that no bound is looked up.
+    #[inline(always)]
+    pub(super) fn row<const H: usize>(self, k: usize) -> usize {
+        (self.top + k).min(H - 1)
+    }
+
+    /// The column of the chain's particle `k`, likewise; `N` chains lie side by side.
+    #[inline(always)]
+    pub(super) fn column<const N: usize, const W: usize>(self, k: usize) -> usize {
+        self.first.wrapping_add_signed(self.slant * k as isize).min(W.saturating_sub(N))
     }
 }

@@ -20,24 +20,26 @@ pub(super) const TAUT: f64 = 0.5;
 /// Tensions in the matrix, rest lengths: more do nothing more, and fixed point holds these.
 const MOST: i32 = 16;
 
-/// What is missing of the displacements of a chain, whose links have these directions and tensions (displacements of a particle of inverse mass 1, cells; both in
-/// the unit of multipliers). Nothing where it is bent by a right angle or more: no tension has pulled that straight yet.
+/// What is missing of the displacements of a chain of `count` particles, whose links have these directions and tensions (displacements of a particle of inverse mass 1,
+/// cells; both in the unit of multipliers). Nothing where it is bent by a right angle or more: no tension has pulled that straight yet.
 #[inline(never)] // few chains are that taut
 pub(super) fn ease<S: Scalar, const M: usize>(
     normal: &Vec3<[S; M]>,
     tension: &[S; M],
     inverse_mass: &[S; M],
+    count: usize,
     inverse_length: S,
     heavy: Heavy,
 ) -> Vec3<[S; M]> {
+    let count = count.min(M);
     let mut across: Vec3<[S; M]> = Vec3::row(Vec3::ZERO);
     let mut by = across;
     let mut factor = [S::ZERO; M];
     let most = heavy.bound(S::from_int(MOST));
     let (mut pull, mut direction, mut a, mut f) = (Vec3::ZERO, Vec3::ZERO, S::ZERO, S::ZERO);
-    for k in 0..M {
+    for k in 0..count {
         let w = inverse_mass[k];
-        let last = k + 1 == M;
+        let last = k + 1 == count;
         let (after, force) = if last { (Vec3::ZERO, S::ZERO) } else { (normal.at(k), tension[k]) };
         let next = after.of_length(force, Rounding::NEAREST);
         let moved = (next - pull) * w;
@@ -57,11 +59,14 @@ pub(super) fn ease<S: Scalar, const M: usize>(
         factor[k] = f;
         (pull, direction, a) = (next, after, b);
     }
-    for k in (0..M - 1).rev() {
-        let next = by.at(k + 1);
-        by.add(k, next * factor[k]);
+    // counted to M, a compiler sees that nothing is out of bounds
+    for k in (0..M.saturating_sub(1)).rev() {
+        if k + 1 < count {
+            let next = by.at(k + 1);
+            by.add(k, next * factor[k]);
+        }
     }
-    for k in 0..M {
+    for k in 0..count {
         by.set(k, by.at(k) - across.at(k));
     }
     by
@@ -85,7 +90,7 @@ mod tests {
         }
         let tensions = core::array::from_fn(|k| if k + 1 < M { S::from_f64(tension) } else { S::ZERO });
         let w = core::array::from_fn(|k| if free(k) { S::ONE } else { S::ZERO });
-        let by = ease(&normal, &tensions, &w, S::ONE, Heavy::NONE);
+        let by = ease(&normal, &tensions, &w, M, S::ONE, Heavy::NONE);
         core::array::from_fn(|k| {
             let pull = |k: usize| tension * normal.at(k).to_f64()[1];
             let pulled = if free(k) { pull(k) - pull(k - 1) } else { 0.0 };
@@ -122,8 +127,8 @@ mod tests {
     #[test]
     fn a_straight_chain_and_a_folded_one_are_left_alone() {
         let mut normal: Vec3<[f64; 3]> = Vec3::row(Vec3::from_f64([1.0, 0.0, 0.0]));
-        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 1.0, Heavy::NONE).at(k) == Vec3::ZERO));
+        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 3, 1.0, Heavy::NONE).at(k) == Vec3::ZERO));
         normal.set(1, Vec3::from_f64([-0.1, -0.99, 0.0]));
-        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 1.0, Heavy::NONE).at(k) == Vec3::ZERO));
+        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 3, 1.0, Heavy::NONE).at(k) == Vec3::ZERO));
     }
 }

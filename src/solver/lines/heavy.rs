@@ -18,28 +18,29 @@ pub(super) struct Heavy {
 
 impl Heavy {
     /// For the heaviest particle of a sheet whose rows of nothing but particles of mass 1 are `ordinary`: none up to 8 masses, since it costs digits. Beside it the least
-    /// inverse mass over the largest that is more than 1, in that unit.
+    /// inverse mass over the largest that is more than 1, in that unit, and whether no particle is lighter than an eighth of a mass.
     #[inline]
     pub(super) fn new<S: Scalar, const W: usize, const H: usize>(
         particles: &Particles<S, W, H>,
         ordinary: &[bool; H],
-    ) -> (Self, S) {
+    ) -> (Self, S, bool) {
         let mut heavy = Self { shift: 0 };
         let [mut least, mut most] = [S::ONE; 2];
-        if !S::FLOATS {
-            for (row, _) in particles.inverse_mass.0.iter().zip(ordinary).filter(|(_, ordinary)| !**ordinary) {
-                for w in row {
-                    if *w > S::ZERO {
-                        (least, most) = (least.min(*w), most.max(*w));
-                    }
+        for (row, _) in particles.inverse_mass.0.iter().zip(ordinary).filter(|(_, ordinary)| !**ordinary) {
+            for w in row {
+                if *w > S::ZERO {
+                    (least, most) = (least.min(*w), most.max(*w));
                 }
             }
+        }
+        let none_is_light = most <= S::from_int(8);
+        if !S::FLOATS {
             while heavy.scaled(least) < S::ONE.halve(3) && heavy.scaled(most) < S::from_int(LIGHTEST) {
                 heavy.shift += 1;
             }
         }
         let [least, most] = [least, most].map(|w| heavy.scaled(w));
-        (heavy, if most > S::ONE { least.divide(most) } else { least })
+        (heavy, if most > S::ONE { least.divide(most) } else { least }, none_is_light)
     }
 
     /// No shift.

@@ -4,10 +4,7 @@
 //! most the sum of its residuals times the masses beyond their links, which those of a straight one are. Where that is not held, something is added to the diagonal
 //! (K. Levenberg, 1944): then no multiplier, nor one of a part of the chain, is larger than the largest residual over it (J. Varah, 1975).
 
-use crate::particles::Particles;
 use crate::scalar::Scalar;
-
-use super::heavy::Heavy;
 
 /// What fixed point holds.
 const RANGE: f64 = 127.0;
@@ -21,13 +18,23 @@ pub(super) fn harmless<S: Scalar, const M: usize>(span: S) -> S {
     span * S::from_f64(const { 2.0 * RANGE / (M * M) as f64 })
 }
 
-/// What is added to the diagonal of a chain with these residuals and inverse masses, in the unit of multipliers. The last of `M` residuals is none.
+/// What is added to the diagonal of a chain of `count` particles with these residuals and inverse masses, in the unit of multipliers. Its last residual is
+/// none, and so is what stands behind it.
 #[cold]
 #[inline(never)]
-pub(super) fn held_back<S: Scalar, const M: usize>(residual: &[S; M], inverse_mass: &[S; M]) -> S {
+pub(super) fn held_back<S: Scalar, const M: usize>(residual: &[S; M], inverse_mass: &[S; M], count: usize) -> S {
     let saturating = |a: S, b: S| a.difference(-b);
-    let mass = inverse_mass
-        .map(|w| if w < S::ONE.halve(2 + SIXTEEN) { S::from_f64(S::LARGEST) } else { w.recip().halve(SIXTEEN) });
+    // beyond the chain's end nothing has a mass
+    let mass: [S; M] = core::array::from_fn(|k| {
+        let w = inverse_mass[k];
+        if k >= count {
+            S::ZERO
+        } else if w < S::ONE.halve(2 + SIXTEEN) {
+            S::from_f64(S::LARGEST)
+        } else {
+            w.recip().halve(SIXTEEN)
+        }
+    });
     let mut before = mass;
     for k in 1..M {
         before[k] = saturating(before[k - 1], mass[k]);
@@ -50,24 +57,6 @@ pub(super) fn held_back<S: Scalar, const M: usize>(residual: &[S; M], inverse_ma
     if held { S::ZERO } else { worst * S::from_f64(2.0 / RANGE) * most }
 }
 
-/// The same of a column, whose residuals are one `lane` of these.
-#[cold]
-#[inline(never)]
-pub(super) fn held_back_column<S: Scalar, const N: usize, const W: usize, const H: usize>(
-    residuals: &[[S; N]; H],
-    lane: usize,
-    particles: &Particles<S, W, H>,
-    column: usize,
-    heavy: Heavy,
-) -> S {
-    let [mut residual, mut inverse_mass] = [[S::ZERO; H]; 2];
-    for row in 0..H {
-        residual[row] = residuals[row][lane];
-        inverse_mass[row] = heavy.scaled(particles.inverse_mass.0[row][column]);
-    }
-    held_back(&residual, &inverse_mass)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -75,7 +64,7 @@ mod tests {
 
     /// What is added for a chain of four links that are all this much too long.
     fn added(residual: f64, inverse_masses: [f64; 5]) -> f64 {
-        held_back(&[residual; 5].map(Q24::from_f64), &inverse_masses.map(Q24::from_f64)).to_f64()
+        held_back(&[residual; 5].map(Q24::from_f64), &inverse_masses.map(Q24::from_f64), 5).to_f64()
     }
 
     #[test]

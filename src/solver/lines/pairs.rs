@@ -1,6 +1,6 @@
 //! Links relaxed a row at a time.
 //!
-//! Links between one row and another act on the positions that all of them found (Jacobi), so that a mirrored sheet is relaxed as the mirror image, to the
+//! Links between one row and another act on the positions that all of them found (Jacobi), so that in floats a mirrored sheet is relaxed as the mirror image, to the
 //! last bit, and a machine may compute four at once. That does not overshoot: both diagonals of a cell are nearly at right angles, and the few links that
 //! share a particle elsewhere lie in a row.
 
@@ -44,11 +44,10 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
 
     /// Links between particles that are `ACROSS` columns apart.
     #[inline(never)] // one for all scenes of a grid
-    pub(super) fn row<const ACROSS: usize, const START: bool, const W: usize>(
+    pub(super) fn row<const ACROSS: usize, const W: usize>(
         &self,
         particles: &mut Particles<S, W, H>,
         mut tension: Option<&mut Grid<S, W, H>>,
-        warm: S,
     ) {
         if W <= ACROSS {
             return;
@@ -59,7 +58,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             let mut none = [S::ZERO; W];
             let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
             let softness = self.softness([row; 2], [w, w], left::<ACROSS, S, W>);
-            let mut pull = self.pull::<START, W>(links.clone(), x, ahead::<ACROSS, S, W>(x), &softness, tension, warm);
+            let mut pull = self.pull::<W>(links.clone(), x, ahead::<ACROSS, S, W>(x), &softness, tension);
             without_last::<ACROSS, S, W>(&mut pull, tension);
             let before = behind::<ACROSS, S, W>(&pull);
             self.displace(particles, row, &softness, |column| pull.at(column) - before(column));
@@ -68,11 +67,10 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
 
     /// Links between particles that are `DOWN` rows apart.
     #[inline(never)] // one for all scenes of a grid
-    pub(super) fn column<const DOWN: usize, const START: bool, const W: usize>(
+    pub(super) fn column<const DOWN: usize, const W: usize>(
         &self,
         particles: &mut Particles<S, W, H>,
         mut tension: Option<&mut Grid<S, W, H>>,
-        warm: S,
     ) {
         // before the links of a row act, those that end in it have acted
         for row in 0..H.saturating_sub(DOWN) {
@@ -81,7 +79,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             let mut none = [S::ZERO; W];
             let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
             let softness = self.softness([row, row + DOWN], [u, v], |v| *v);
-            let pull = self.pull::<START, W>(0..W, x, |column| y.at(column), &softness, tension, warm);
+            let pull = self.pull::<W>(0..W, x, |column| y.at(column), &softness, tension);
             self.displace(particles, row, &softness, |column| pull.at(column));
             self.displace(particles, row + DOWN, &softness, |column| -pull.at(column));
         }
@@ -89,11 +87,10 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
 
     /// Links along both diagonals.
     #[inline(never)] // one for all scenes of a grid
-    pub(super) fn diagonals<const ACROSS: usize, const DOWN: usize, const START: bool, const W: usize>(
+    pub(super) fn diagonals<const ACROSS: usize, const DOWN: usize, const W: usize>(
         &self,
         particles: &mut Particles<S, W, H>,
         mut tension: Option<[&mut Grid<S, W, H>; 2]>,
-        warm: S,
     ) {
         if W <= ACROSS {
             return;
@@ -111,11 +108,11 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
                 // to the right and down, to the left and down
                 let links = columns::<ACROSS, 0, W>();
                 let softness = self.softness([row, row + DOWN], [u, v], left::<ACROSS, S, W>);
-                let mut fall = self.pull::<START, W>(links, x, ahead::<ACROSS, S, W>(y), &softness, falling, warm);
+                let mut fall = self.pull::<W>(links, x, ahead::<ACROSS, S, W>(y), &softness, falling);
                 without_last::<ACROSS, S, W>(&mut fall, falling);
                 let links = columns::<0, ACROSS, W>();
                 let softness = self.softness([row, row + DOWN], [u, v], right::<ACROSS, S, W>);
-                let mut rise = self.pull::<START, W>(links, x, behind::<ACROSS, S, W>(y), &softness, rising, warm);
+                let mut rise = self.pull::<W>(links, x, behind::<ACROSS, S, W>(y), &softness, rising);
                 without_first::<ACROSS, S, W>(&mut rise, rising);
                 self.displace(particles, row, &softness, |column| fall.at(column) + rise.at(column));
                 let (fall, rise) = (behind::<ACROSS, S, W>(&fall), ahead::<ACROSS, S, W>(&rise));
@@ -172,37 +169,30 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         }
     }
 
-    /// What links from a row of particles to another do: with a part of their last multipliers (`START`), or by what is missing.
+    /// How links from a row of particles to another pull by what is missing.
     #[inline(always)]
-    fn pull<const START: bool, const W: usize>(
+    fn pull<const W: usize>(
         &self,
         links: Range<usize>,
         x: &Vec3<[S; W]>,
         y: impl Fn(usize) -> Vec3<S>,
         softness: &Softness<S, W>,
         tension: &mut [S; W],
-        warm: S,
     ) -> Vec3<[S; W]> {
-        if START {
-            self.each(links, x, y, tension, |_, tension, _| [tension.scaled(warm); 2])
-        } else {
-            let strength = self.strength;
-            match softness {
-                &Softness::Ordinary(softness) => self.each(links, x, y, tension, |_, tension, excess| {
-                    let change = (excess - strength.times_divisor(tension)).scaled(softness);
-                    [change, tension + change]
-                }),
-                Softness::Any(softness) => self.each(links, x, y, tension, |column, tension, excess| {
-                    let missing = excess - self.heavy.scaled(strength.times_divisor(tension));
-                    let softness = softness[column];
-                    let change = if S::FLOATS { missing.divide(softness) } else { missing * softness };
-                    [change, tension + change]
-                }),
-            }
+        let strength = self.strength;
+        match softness {
+            &Softness::Ordinary(softness) => self.each(links, x, y, tension, |_, tension, excess| {
+                (excess - strength.times_divisor(tension)).scaled(softness)
+            }),
+            Softness::Any(softness) => self.each(links, x, y, tension, |column, tension, excess| {
+                let missing = excess - self.heavy.scaled(strength.times_divisor(tension));
+                let softness = softness[column];
+                if S::FLOATS { missing.divide(softness) } else { missing * softness }
+            }),
         }
     }
 
-    /// What links do whose multipliers `change`, from their last ones and their excess lengths: by what they change, and what they are then.
+    /// How links pull by what `change` makes of their multipliers and their excess lengths: what multipliers change by.
     #[inline(always)]
     fn each<const W: usize>(
         &self,
@@ -210,14 +200,14 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         x: &Vec3<[S; W]>,
         y: impl Fn(usize) -> Vec3<S>,
         tension: &mut [S; W],
-        change: impl Fn(usize, S, S) -> [S; 2],
+        change: impl Fn(usize, S, S) -> S,
     ) -> Vec3<[S; W]> {
         let mut pull = Vec3::row(Vec3::ZERO);
         // no branches: so it can be done for four at once
         for column in links {
             let (excess, normal) = (y(column) - x.at(column)).direction(self.rest);
-            let [by, after] = change(column, tension[column], excess);
-            tension[column] = after;
+            let by = change(column, tension[column], excess);
+            tension[column] += by;
             pull.set(column, normal.of_length(self.strength.times_dividend(by), self.rounding));
         }
         pull

@@ -15,13 +15,15 @@ pub(super) fn first_order<S: Scalar, F: Force<S>, const W: usize, const H: usize
     particles: &mut Particles<S, W, H>,
     memory: &mut Memory<S, W, H, N>,
     moment: Moment,
+    split: u32,
 ) {
     memory.earlier = particles.velocity;
-    let slowed = S::ONE.divide(S::ONE + forces.drag().rate);
+    let slowed = S::ONE.divide(S::ONE + forces.drag().rate.halve(split));
     predict::predict(
         forces,
         particles,
         |velocity, gain| {
+            let gain = gain.halve(split);
             if F::DRAG { (velocity + gain) * slowed } else { velocity + gain }
         },
         |position, velocity| [position, velocity],
@@ -36,11 +38,12 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
     particles: &mut Particles<S, W, H>,
     memory: &mut Memory<S, W, H, N>,
     moment: Moment,
+    split: u32,
 ) {
     let third = S::ONE.divide(S::from_int(3));
     let two_thirds = third + third;
     let rule = Rule { third, two_thirds, sixth: third.halve(1), moment };
-    let drag = forces.drag().rate;
+    let drag = forces.drag().rate.halve(split);
     let slowed = S::ONE.divide(S::ONE + two_thirds * drag);
     let (is_field, uniform) = (forces.is_field(), forces.uniform());
     let start = memory.history == History::None;
@@ -62,6 +65,7 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usiz
         let mut earlier = core::mem::replace(&mut memory.earlier.0[row], velocity);
         for column in 0..W {
             let by = if is_field { gain.at(column) * particles.inverse_mass.0[row][column] + uniform } else { uniform };
+            let by = by.halve(split);
             gain.set(column, by * two_thirds);
             if start {
                 let v = velocity.at(column);

@@ -189,7 +189,7 @@ impl<S: Scalar> Axes<S> {
 
 /// Solves a row or a column for the impulse μ of each damper, in units of the strength's dividend a,
 /// `(b + a·(w_i + w_{i+1}))·μ_i − a·w_i·μ_{i−1} − a·w_{i+1}·μ_{i+1} = v_{i+1} − v_i`, from both ends to the middle: so momentum is kept to the last place, no pivot
-/// vanishes with b, and a mirrored row of even length is solved as the mirror image.
+/// vanishes with b, and a mirrored row of even length is solved as the mirror image in floats.
 fn solve_line<S: Scalar, const N: usize>(strength: Quotient<S>, w: &[S; N], v: &mut Vec3<[S; N]>) {
     if N < 2 {
         return;

@@ -1,0 +1,114 @@
+//! Substeps that are split.
+//!
+//! A sweep leaves 1 − c/N² of what it finds on a grid of N particles a side, so where a step is long for the grid, no affordable number of sweeps converges. What they leave
+//! acts as a soft spring in the place of a stiff one, stretches the sheet and gives it energy. What is to be solved in a step, however, shrinks with its square: two half steps with
+//! one sweep each are worth more than a step with any number of them. So when the sweeps of a substep end with a row strained by more than twice the tolerance, the next substep
+//! is made in four times as many equal parts, with as many sweeps fewer in each. When parts have been solved easily for a while, every two of them are joined again.
+//!
+//! Parts are substeps in all respects: nothing is stiffened or damped that a shorter step of the caller would not. After a change the rule in time starts as after a
+//! rough substep, by backward Euler.
+
+use crate::scalar::Scalar;
+
+/// The substeps in a row that must be solved easily before parts are joined.
+const EASY: u8 = 8;
+
+/// What the sweeps of a substep, or of its parts, came to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Outcome<S> {
+    /// The largest strain of a row that a last sweep found.
+    pub(super) residual: S,
+    /// Whether the least number of sweeps was enough everywhere.
+    pub(super) few: bool,
+}
+
+impl<S: Scalar> Outcome<S> {
+    /// Of no part yet.
+    pub(super) const NONE: Self = Self { residual: S::ZERO, few: true };
+
+    /// Of parts one after the other.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self { residual: self.residual.max(other.residual), few: self.few && other.few }
+    }
+}
+
+/// The halvings by which a grid with a side of so many particles needs more parts than one of 32.
+const fn longer(side: usize) -> u32 {
+    2 * (side as u32).div_ceil(32).next_power_of_two().ilog2()
+}
+
+/// Into how many parts substeps are split.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Split {
+    halvings: u8,
+    /// For how many substeps parts have been solved easily.
+    easy: u8,
+}
+
+impl Split {
+    /// Not at all: nothing but zeros, so that a solver's memory needs no copy of its start.
+    pub(super) const NONE: Self = Self { halvings: 0, easy: 0 };
+
+    /// For the start of a sheet with a side of so many particles: a large one is not given the time to stretch.
+    pub(super) const fn start(side: usize, most_sweeps: u32) -> Self {
+        Self { halvings: if most_sweeps > 1 { longer(side) as u8 } else { 0 }, ..Self::NONE }
+    }
+
+    /// How often a substep is halved.
+    pub(super) fn halvings(self) -> u32 {
+        u32::from(self.halvings)
+    }
+
+    /// Learns what a substep came to. Returns whether the next one is split otherwise.
+    #[inline(never)] // one for all scenes
+    pub(super) fn learn<S: Scalar>(
+        &mut self,
+        outcome: &Outcome<S>,
+        tolerance: S,
+        side: usize,
+        most_sweeps: u32,
+    ) -> bool {
+        let before = self.halvings;
+        // parts twice as long have residuals up to four times as large: a quarter of what splits them
+        let easy = outcome.few && outcome.residual < tolerance.halve(3);
+        self.easy = if easy { self.easy + 1 } else { 0 };
+        if outcome.residual > tolerance.double(1) {
+            let most = longer(side) + most_sweeps.max(1).ilog2();
+            self.halvings = (before + 2).min(most as u8);
+        } else if self.easy == EASY {
+            *self = Self { halvings: before.saturating_sub(1), easy: 0 };
+        }
+        self.halvings != before
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn substeps_are_split_as_far_as_sweeps_and_grid_allow() {
+        for (side, sweeps, most) in [(8, 1, 0), (32, 2, 1), (32, 16, 4), (33, 16, 6), (64, 16, 6), (65, 16, 8)] {
+            let mut split = Split::start(side, sweeps);
+            for _ in 0..9 {
+                split.learn(&Outcome { residual: 0.1, few: false }, 0.02, side, sweeps);
+            }
+            assert_eq!(split.halvings(), most, "{sweeps} sweeps, {side} particles");
+        }
+    }
+
+    #[test]
+    fn parts_are_joined_one_by_one_where_all_is_easy() {
+        let mut split = Split { halvings: 2, easy: 0 };
+        let mut run = |residual, few, substeps| {
+            (0..substeps).for_each(|_| _ = split.learn(&Outcome { residual, few }, 0.02, 32, 16));
+            split.halvings()
+        };
+        assert_eq!(run(0.002, true, 7), 2);
+        // neither what is near the tolerance nor what takes sweeps is easy
+        assert_eq!(run(0.01, true, 20), 2);
+        assert_eq!(run(0.002, false, 20), 2);
+        assert_eq!(run(0.002, true, 8), 1);
+        assert_eq!(run(0.002, true, 20), 0);
+    }
+}
