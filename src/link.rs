@@ -56,7 +56,7 @@ pub trait Visitor<S: Scalar> {
 
 /// What the links of a family have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Family<S> {
+pub struct Family<S: Scalar> {
     /// Stiffness or damping.
     pub strength: Quotient<S>,
     /// The length at which a link is at rest.

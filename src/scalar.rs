@@ -61,11 +61,16 @@ pub trait Scalar:
     type Product: Copy + Debug + PartialOrd + Add<Output = Self::Product>;
     /// A sum of many products, as the dot product of two whole sheets.
     type Sum: Copy + Debug + PartialOrd;
+    /// What a rest length is [prepared](Self::prepared) for besides its inverse.
+    type Prepared: Copy + Debug + PartialEq + Send + Sync + 'static;
 
     /// The nearest number to `value`; beyond [`LARGEST`](Self::LARGEST) fixed point saturates.
     ///
     /// Integer arithmetic alone for fixed point: firmware links no float routine.
     fn from_f64(value: f64) -> Self;
+
+    /// What links of a rest length L are measured with, from 1/L and 1/L².
+    fn prepared(inverse: Self, inverse_square: Self) -> Self::Prepared;
 
     /// A whole number; `|value| ≤ LARGEST`.
     fn from_int(value: i32) -> Self;
@@ -209,7 +214,7 @@ fn squared<S: Scalar>([x, y, z]: [S; 3]) -> S::Product {
 
 /// A link's rest length, prepared for [`Scalar::elongation`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rest<S> {
+pub struct Rest<S: Scalar> {
     /// The length, cells.
     pub length: S,
     /// `length²`.
@@ -218,6 +223,8 @@ pub struct Rest<S> {
     pub inverse: S,
     /// `1/length²`.
     pub inverse_square: S,
+    /// What the number type forms once, not for each link.
+    pub prepared: S::Prepared,
 }
 
 impl<S: Scalar> Rest<S> {
@@ -226,6 +233,7 @@ impl<S: Scalar> Rest<S> {
         let square = across.product(across) + down.product(down);
         let length = S::root(square);
         let square = S::narrow(square);
-        Self { length, square, inverse: S::ONE.divide(length), inverse_square: S::ONE.divide(square) }
+        let (inverse, inverse_square) = (S::ONE.divide(length), S::ONE.divide(square));
+        Self { length, square, inverse, inverse_square, prepared: S::prepared(inverse, inverse_square) }
     }
 }

@@ -151,6 +151,7 @@ fn plain(rest: Rest<Counted>) -> Rest<f32> {
         square: rest.square.0,
         inverse: rest.inverse.0,
         inverse_square: rest.inverse_square.0,
+        prepared: (),
     }
 }
 
@@ -167,9 +168,12 @@ impl Scalar for Counted {
     const FLOATS: bool = f32::FLOATS;
 
     type Product = Self;
+    type Prepared = ();
     type Sum = Self;
 
     #[inline]
+    fn prepared(_: Self, _: Self) {}
+
     fn from_f64(value: f64) -> Self {
         Self(f32::from_f64(value))
     }

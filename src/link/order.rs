@@ -2,6 +2,7 @@
 
 use super::Family;
 use crate::grid::Node;
+use crate::scalar::Scalar;
 
 /// Calls `visit` with both ends of every link of offset `ACROSS`, `DOWN` in a sheet of `W` × `H` particles; where neither is zero,
 /// both diagonals of the box.
@@ -23,14 +24,14 @@ pub(crate) trait Order: Copy {
 }
 
 /// Does something with the links of a family, whichever it is.
-pub(crate) trait OneByOne<S> {
+pub(crate) trait OneByOne<S: Scalar> {
     fn links(&mut self, family: &Family<S>, order: impl Order);
 }
 
 /// Lets `visitor` do what it does. A board has one grid, and each family gets a piece of code of its own, whose offsets the compiler knows: a third faster for leapfrog on a Cortex-M3
 /// than one for all families. Programs with scene files (`std`) have dozens of grids, and compile one for all.
 #[inline(always)]
-pub(crate) fn one_by_one<S, const ACROSS: usize, const DOWN: usize>(
+pub(crate) fn one_by_one<S: Scalar, const ACROSS: usize, const DOWN: usize>(
     visitor: &mut impl OneByOne<S>,
     family: &Family<S>,
 ) {
@@ -42,7 +43,7 @@ pub(crate) fn one_by_one<S, const ACROSS: usize, const DOWN: usize>(
 }
 
 #[inline(never)]
-fn for_all_families<S>(visitor: &mut impl OneByOne<S>, family: &Family<S>, offset: Offset) {
+fn for_all_families<S: Scalar>(visitor: &mut impl OneByOne<S>, family: &Family<S>, offset: Offset) {
     visitor.links(family, offset);
 }
 

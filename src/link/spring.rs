@@ -9,7 +9,7 @@ macro_rules! springs {
     ($(#[$doc:meta])* $name:ident, $($index:literal: $across:literal, $down:literal);+) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
-        pub struct $name<S> {
+        pub struct $name<S: Scalar> {
             strength: Quotient<S>,
             rest: [Rest<S>; [$($across),+].len()],
         }

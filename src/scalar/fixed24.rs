@@ -143,7 +143,13 @@ impl<K: Kernel> Scalar for Fixed24<K> {
     const EMPTY: i128 = 0;
 
     type Product = Wide;
+    type Prepared = K::Prepared;
     type Sum = i128;
+
+    #[inline]
+    fn prepared(inverse: Self, inverse_square: Self) -> K::Prepared {
+        K::prepared(inverse.to_bits(), inverse_square.to_bits())
+    }
 
     #[inline]
     fn from_f64(value: f64) -> Self {

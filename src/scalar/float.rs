@@ -34,7 +34,11 @@ macro_rules! float {
             const FLOATS: bool = true;
 
             type Product = Self;
+            type Prepared = ();
             type Sum = Self;
+
+            #[inline(always)]
+            fn prepared(_: Self, _: Self) {}
 
             #[inline]
             fn from_f64(value: f64) -> Self {

@@ -4,7 +4,7 @@ use kerchief::link::{Family, Links, Quotient, Visitor};
 use kerchief::scalar::Rest;
 use kerchief::{Cloth, Grid, Leapfrog, Scalar, Scene, Units, Vec3, measure};
 
-struct Knight<S> {
+struct Knight<S: Scalar> {
     stiffness: Quotient<S>,
     damping: Quotient<S>,
     rest: [Rest<S>; 2],

@@ -122,6 +122,11 @@ impl Kernel for Exact {
     const NAME: &'static str = "q24";
     const EDGE: f64 = 1.0 / (1 << super::FRACTION) as f64;
 
+    type Prepared = ();
+
+    #[inline(always)]
+    fn prepared(_: i32, _: i32) {}
+
     #[inline]
     fn multiply(a: i32, b: i32) -> i32 {
         product::rounded(a, b, Rounding::NEAREST)

@@ -15,6 +15,12 @@ pub trait Kernel: Copy + Debug + Default + Ord + Hash + 'static {
     /// The last place of an edge, cells.
     const EDGE: f64;
 
+    /// What links of a rest length are measured with besides its inverse.
+    type Prepared: Copy + Debug + PartialEq + Send + Sync + 'static;
+
+    /// Forms it from 1/L and 1/L².
+    fn prepared(inverse: i32, inverse_square: i32) -> Self::Prepared;
+
     /// A product, rounded to nearest.
     fn multiply(a: i32, b: i32) -> i32;
 

@@ -99,7 +99,28 @@ fn far_reciprocal(x: i32) -> i32 {
     divide(ONE, x)
 }
 
+/// The coefficients of [`Edge::series`] for a rest length L.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Powers {
+    /// 1/L, L⁻³ and L⁻⁵, for L·(√(1 + ε) − 1).
+    excess: [i32; 3],
+    /// L⁻³, 3·L⁻⁵ and 5·L⁻⁷, for (1 − 1/√(1 + ε))/L.
+    less: [i32; 3],
+}
+
 impl Kernel for Short {
+    type Prepared = Powers;
+
+    fn prepared(inverse: i32, square: i32) -> Powers {
+        let third = Self::multiply(inverse, square);
+        let fifth = Self::multiply(third, square);
+        let seventh = Self::multiply(fifth, square);
+        Powers {
+            excess: [inverse >> 8, third >> 10, fifth >> 13],
+            less: [third >> 8, (fifth >> 10) * 3, (seventh >> 13) * 5],
+        }
+    }
+
     const NAME: &'static str = "q13";
     const EDGE: f64 = 1.0 / (1 << EDGE) as f64;
 
@@ -152,13 +173,8 @@ impl Kernel for Short {
     fn direction(d: [i32; 3], rest: &Rest<Fixed24<Self>>) -> (i32, [i32; 3]) {
         let Some(edge) = Edge::near(d, rest).filter(Edge::is_short) else { return far_direction(d, rest) };
         let inverse = rest.inverse.to_bits();
-        let square = rest.inverse_square.to_bits();
-        let third = Self::multiply(inverse, square);
-        let fifth = Self::multiply(third, square);
-        let seventh = Self::multiply(fifth, square);
-        // L·(√(1 + ε) − 1) and (1 − 1/√(1 + ε))/L
-        let excess = edge.series([inverse >> 8, third >> 10, fifth >> 13], Rounding::NEAREST);
-        let less = edge.series([third >> 8, (fifth >> 10) * 3, (seventh >> 13) * 5], Rounding::NEAREST);
+        let excess = edge.series(rest.prepared.excess, Rounding::NEAREST);
+        let less = edge.series(rest.prepared.less, Rounding::NEAREST);
         let inverse = shift(inverse, 7).wrapping_sub(shift(less, 3));
         (excess << 4, each(edge.d, |d| shift(times(d, inverse), 6)))
     }

@@ -32,7 +32,7 @@ use super::{displace, displace_row};
 const LANES: usize = 8;
 
 /// Links of one kind.
-pub(super) struct Chain<'a, S, const W: usize, const H: usize> {
+pub(super) struct Chain<'a, S: Scalar, const W: usize, const H: usize> {
     pub(super) rest: &'a Rest<S>,
     pub(super) strength: Quotient<S>,
     pub(super) moment: Moment,

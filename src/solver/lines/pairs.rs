@@ -18,7 +18,7 @@ use super::displace_row;
 use super::heavy::Heavy;
 
 /// Links of one kind.
-pub(super) struct Pairs<'a, S, const H: usize> {
+pub(super) struct Pairs<'a, S: Scalar, const H: usize> {
     rest: &'a Rest<S>,
     strength: Quotient<S>,
     /// 1/(2·a + b), of two particles of mass 1.
