@@ -50,7 +50,10 @@ use split::{Outcome, Split};
 use sweeps::Kept;
 use viscosity::Axes;
 
-/// Second order in time, exact along rows, columns and diagonals, stable for any stiffness and step: the solver for sheets that hardly stretch.
+/// Second order in time, exact along rows, columns and stiff diagonals: the solver for sheets that hardly stretch.
+///
+/// The rule in time is stable for any stiffness and step, and substeps whose sweeps don't converge are split. Nearly rigid sheets in few substeps may go on trembling all the
+/// same: docs/line-solver.md says which.
 ///
 /// `N` is the number of grids of multipliers that it has: one for each direction of links in the scene, in the order in which the scene names them, two for stretch, shear and
 /// bend each. Families beyond that act once in every substep, which costs accuracy only; rows and columns, without which nothing holds, come first wherever they are named,
