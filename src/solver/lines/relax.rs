@@ -138,8 +138,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
             let worst = chain.diagonals(self.particles, [black, white]);
             self.met = self.met.max(worst * family.rest.inverse);
         } else if self.first {
-            let [mut black, mut white] = [Grid::filled(S::ZERO); 2];
-            chain.diagonals(self.particles, [&mut black, &mut white]);
+            once(&chain, self.particles);
         }
     }
 
@@ -209,6 +208,13 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Relax<'_, S, W, H
             }
         }
     }
+}
+
+/// Solves diagonals that have no memory, apart so that others don't have its grids on their stack.
+#[inline(never)]
+fn once<S: Scalar, const W: usize, const H: usize>(chain: &Chain<S, W, H>, particles: &mut Particles<S, W, H>) {
+    let [mut black, mut white] = [Grid::filled(S::ZERO); 2];
+    chain.diagonals(particles, [&mut black, &mut white]);
 }
 
 /// The grids of multipliers of a family.
