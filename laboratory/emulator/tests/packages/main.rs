@@ -24,7 +24,13 @@ fn a_copy_of_a_board_builds_anywhere() {
         }
         let found = footprint::of(&build(&copy, &board)).unwrap();
         let expected = footprint::of(&board.build().unwrap()[board.targets[0]]).unwrap();
-        assert_eq!(found, expected, "{}: bytes of flash and RAM of the copy and of the original", board.package);
+        let [flash, ram] = [0, 1].map(|k| found[k].abs_diff(expected[k]));
+        // what constructors say where they panic holds the path of their caller's file
+        assert!(
+            flash <= 32 && ram == 0,
+            "{}: {found:?} bytes of flash and RAM, {expected:?} of the original",
+            board.package
+        );
     }
 }
 
