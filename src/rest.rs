@@ -107,7 +107,7 @@ pub struct Threshold {
     pub speed: f64,
     /// The change of speed, cells per tick.
     pub change: f64,
-    /// The parts of a cell in which places are compared: a particle may get [`GRAINS`] of them away.
+    /// The parts of a cell in which places are compared: a particle may get four of them away.
     pub grains: i32,
     /// How long, frames.
     pub frames: u32,

@@ -30,8 +30,8 @@ const SUBSTEPS: u32 = 2;
 /// A flag of 24 m × 16 m: the larger, the less a step strains it. Row 0 is at the pole: links between particles of mass 1 cost less, and only this row has others.
 const UNITS: Units = Units::sheet([SIDE, SIDE], [16.0, 24.0], 0.05, 1.0 / RATE as f64, SUBSTEPS);
 const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.8, -3.2, -20.0]), UNITS.point([23.2, 3.2, 2.4]), SCREEN);
-/// What moves by less than two pixels a second rests: 20 cm/s. `Q13` lets a stretched cloth tremble by a quarter of that.
-const STILL: Stillness = Stillness { speed: 0.2, acceleration: 0.2, time: 0.5 };
+/// What moves by less than two pixels a second (20 cm/s), and gets no further than half a pixel in two seconds, rests. `Q13` lets a stretched cloth tremble by a quarter of that speed.
+const STILL: Stillness = Stillness { speed: 0.2, acceleration: 0.2, time: 2.0 };
 /// 1 m/s as a [`Breeze`] has it.
 const METRE: i32 = (UNITS.velocity([1.0, 0.0, 0.0]).0[0] * 8192.0) as i32;
 
