@@ -76,8 +76,8 @@ pub struct Stillness {
 }
 
 impl Stillness {
-    /// 1 mm/s and 1 mm/s² (a ten-thousandth of a weight) for half a second, in which nothing gets further than 0.05 mm: 0.1 mm/s, if it is steady. Larger values freeze what can be seen to move; with much smaller ones a sheet that is moved by
-    /// rounding alone never rests.
+    /// 1 mm/s and 1 mm/s² (a ten-thousandth of a weight) for half a second, in which nothing gets further than 0.05 mm: 0.1 mm/s, if it is steady.
+    /// Larger values freeze what can be seen to move; with much smaller ones a sheet that is moved by rounding alone never rests.
     pub const DEFAULT: Self = Self { speed: 1e-3, acceleration: 1e-3, time: 0.5 };
 }
 

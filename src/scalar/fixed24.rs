@@ -139,7 +139,7 @@ impl<K: Kernel> Scalar for Fixed24<K> {
     const LARGEST: f64 = 127.999_999_94;
     const RESOLUTION: f64 = 1.0 / (1 << FRACTION) as f64;
     const EDGE: f64 = K::EDGE;
-    const STRAY: f64 = if K::EDGE > 1.0 / 16384.0 { 8.0 * K::EDGE } else { 1.0 / 2048.0 };
+    const STRAY: f64 = K::STRAY;
     const EMPTY: i128 = 0;
 
     type Product = Wide;

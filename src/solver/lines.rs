@@ -108,6 +108,9 @@ impl<const N: usize> Default for Lines<N> {
 /// The most sweeps before a substep is split rather than swept on, unless more are asked for: what more of them do is done better by shorter steps.
 const PATIENCE: u32 = 4;
 
+/// A calm sheet takes a sweep fewer where the last but one has found rows within the tolerance over 2 to this power.
+const PLENTY: u32 = 5;
+
 /// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
 
@@ -228,11 +231,13 @@ impl<const N: usize> Lines<N> {
         relax.set_aside();
         relax.forget();
         let none_is_light = relax.none_is_light;
-        let patience = if none_is_light { most_sweeps.min(PATIENCE).max(least_sweeps) } else { most_sweeps };
+        let patience = most_sweeps.min(PATIENCE).max(least_sweeps);
+        // neither overstretched links nor light particles gain by shorter steps
+        let most = |met: S| if met > S::ONE || !none_is_light { most_sweeps } else { patience };
         let tolerance = S::from_f64(self.tolerance);
         let (mut before, mut met) = (S::ZERO, relax.sweep(physics.links, true));
         let (mut sweeps, least) = (1, least_sweeps.max(memory.kept.number()));
-        while sweeps < if met > S::ONE { most_sweeps } else { patience } && (sweeps < least || met > tolerance) {
+        while sweeps < most(met) && (sweeps < least || met > tolerance) {
             if let Some(start) = &start {
                 // between the sweeps, so that links answer to what a collider does to them
                 contact::resolve(physics.colliders, relax.particles, start, &mut memory.earlier, moment, true);
@@ -241,7 +246,7 @@ impl<const N: usize> Lines<N> {
             sweeps += 1;
         }
         relax.complete();
-        let plenty = before < tolerance.halve(5);
+        let plenty = before < tolerance.halve(PLENTY);
         // the least number needs no keeping
         let keeps = sweeps > least_sweeps && is_calm(particles, moment);
         memory.kept = if keeps { memory.kept.after(sweeps, plenty) } else { Kept::NONE };

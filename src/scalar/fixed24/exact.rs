@@ -121,6 +121,7 @@ pub(super) fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
 impl Kernel for Exact {
     const NAME: &'static str = "q24";
     const EDGE: f64 = 1.0 / (1 << super::FRACTION) as f64;
+    const STRAY: f64 = 1.0 / 2048.0;
 
     type Prepared = ();
 

@@ -14,6 +14,8 @@ pub trait Kernel: Copy + Debug + Default + Ord + Hash + 'static {
     const NAME: &'static str;
     /// The last place of an edge, cells.
     const EDGE: f64;
+    /// How far rounding carries a sheet that is as good as at rest, cells.
+    const STRAY: f64;
 
     /// What links of a rest length are measured with besides its inverse.
     type Prepared: Copy + Debug + PartialEq + Send + Sync + 'static;

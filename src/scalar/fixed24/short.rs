@@ -123,6 +123,7 @@ impl Kernel for Short {
 
     const NAME: &'static str = "q13";
     const EDGE: f64 = 1.0 / (1 << EDGE) as f64;
+    const STRAY: f64 = 8.0 * <Self as Kernel>::EDGE;
 
     #[inline(always)]
     fn multiply(a: i32, b: i32) -> i32 {

@@ -146,10 +146,9 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         by
     }
 
-    /// Moves a row by an unzipped pull.
+    /// Moves a row by what its links ask of particles of mass 1.
     #[inline(never)] // so that all rows are known to be apart
-    fn displace(&self, particles: &mut Particles<S, W, H>, row: usize, pull: Vec3<[S; W]>) {
-        let by = pull;
+    fn displace(&self, particles: &mut Particles<S, W, H>, row: usize, by: Vec3<[S; W]>) {
         let w = particles.inverse_mass.0[row];
         displace_row(particles, row, |column| by.at(column) * w[column], self.moment);
     }
@@ -207,7 +206,7 @@ struct Links<S, const W: usize> {
     change: [S; W],
 }
 
-/// A row, unzipped, and the links that end in it.
+/// The links that end in a row, in the columns where they end.
 struct Above<S, const W: usize> {
     normal: Vec3<[S; W]>,
     pivot: [S; W],

@@ -2,7 +2,7 @@
 //!
 //! A constant number of sweeps brings a sheet to rest. One that rises and falls makes it jump between the states in which different numbers leave it: jumps that strain
 //! rows by more than the tolerance, which calls for more sweeps, which still them, which calls for fewer. So while a sheet is calm, their number does not fall until the
-//! last sweep but one has met rows that are within the tolerance by far. In motion it is free: what is stretched with few sweeps and let go with more gives back
+//! last sweep but one has found rows within a small part of the tolerance. In motion it is free: what is stretched with few sweeps and let go with more gives back
 //! more than was put in.
 
 /// The sweeps that a calm sheet takes at least; 0 where they change as they need. All zeros at first, so that a solver's memory needs no copy of its start.
