@@ -38,7 +38,8 @@ fn run(args: &Args) -> Result<(), Failure> {
     let mut simulation =
         simulation(&scene, args.scalar).map_err(|error| format!("{}: {error}", args.scene.display()))?;
     staging::prepare(&args.out)?;
-    let mut album = Album::new(&scene, &args.out, args.animation(), args.png)?;
+    let draws = args.animation() || args.png;
+    let mut album = draws.then(|| Album::new(&scene, &args.out, args.animation(), args.png)).transpose()?;
     // Before anything is computed, because its place may be taken.
     let mut report_file = Staged::create(&args.out, "report.json")?;
     let mut positions = args.csv.then(|| Positions::create(&args.out)).transpose()?;
@@ -46,7 +47,10 @@ fn run(args: &Args) -> Result<(), Failure> {
         if let Some(positions) = &mut positions {
             positions.record(frame, &still, scene.sheet.columns)?;
         }
-        album.add(frame, &still)
+        if let Some(album) = &mut album {
+            album.add(frame, &still)?;
+        }
+        Ok::<_, String>(())
     };
 
     let mut watch = Watch::start(&*simulation);
@@ -64,7 +68,10 @@ fn run(args: &Args) -> Result<(), Failure> {
     bar.finish_and_clear();
     let report = watch.report(&*simulation, &scene, args.scalar);
 
-    let mut files = album.develop(&progress("pictures", 0))?;
+    let mut files = match album {
+        Some(album) => album.develop(&progress("pictures", 0))?,
+        None => Vec::new(),
+    };
     if let Some(positions) = positions {
         files.push(positions.complete()?);
     }

@@ -39,7 +39,7 @@ pub(crate) struct Album<'a> {
 }
 
 impl<'a> Album<'a> {
-    /// An empty album for an animation, for pictures, for both or for nothing, in `directory`.
+    /// An empty album for an animation, for pictures or for both, in `directory`.
     pub(crate) fn new(
         scene: &'a Description,
         directory: &'a Path,
@@ -52,9 +52,6 @@ impl<'a> Album<'a> {
 
     /// Adds the moment at the end of a frame.
     pub(crate) fn add(&mut self, frame: u32, still: &Still) -> Result<(), String> {
-        if !(self.animation || self.pictures) {
-            return Ok(());
-        }
         self.seen.include(self.scene, still);
         let before = self.shown.last().map(|&index| self.spool.frames[index]);
         let is_due = |before| f64::from(frame - before) * self.scene.solver.step > 0.999 * SPACING;
