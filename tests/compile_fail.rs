@@ -9,18 +9,9 @@ use std::process::{Command, Output};
 /// The crate as the library that this test is linked with: nothing is built anew.
 fn library() -> PathBuf {
     let cargo = Command::new(env!("CARGO"))
-        .args([
-            "test",
-            "--no-run",
-            "--quiet",
-            "--locked",
-            "-p",
-            "kerchief",
-            "--test",
-            "compile_fail",
-            "--message-format",
-            "json",
-        ])
+        .args(["test", "--no-run", "--quiet", "--locked", "--test", "compile_fail", "--message-format", "json"])
+        // of what `tests/run` builds together, or of this package
+        .args(std::env::var("KERCHIEF_TESTED").as_deref().unwrap_or("-p kerchief").split(' '))
         .args((!cfg!(debug_assertions)).then_some("--release"))
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         // a run that times tests sets it, and what it changes would be built anew

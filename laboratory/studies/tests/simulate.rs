@@ -43,10 +43,11 @@ frames = 10
 fn program() -> Command {
     static PATH: OnceLock<PathBuf> = OnceLock::new();
     let build = || {
-        // with the packages that `tests/run host` names, so that what it has built is what this needs
+        // with the packages that `tests/run` builds together, so that what it has built is what this needs
+        let tested = std::env::var("KERCHIEF_TESTED");
         escargot::CargoBuild::new()
             .manifest_path(concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml"))
-            .args(["-p", "instances", "-p", "laboratory", "-p", "kerchief-console", "-p", "cases"])
+            .args(tested.as_deref().unwrap_or("-p kerchief-console").split(' '))
             .example("simulate")
             .env_remove("RUSTC_BOOTSTRAP")
             .current_release()
