@@ -3,6 +3,7 @@
 //! A family of links is a pattern of grid offsets. Its links are visited, never stored. `()` is no link and a tuple is all of its
 //! members. A family of your own implements [`Links`].
 
+mod count;
 mod limit;
 mod order;
 mod spring;
@@ -14,6 +15,7 @@ use crate::particles::Particles;
 use crate::scalar::{Rest, Scalar};
 use crate::units::Strength;
 
+pub use count::{Blank, Count, Damping, Directions, Undamped, WithDampers};
 pub use limit::StrainLimited;
 pub use order::each;
 pub(crate) use order::{OneByOne, Order, each_row, fits, in_row, one_by_one};
@@ -22,11 +24,12 @@ pub use tether::Tether;
 
 /// A family of links, or none, or several.
 pub trait Links<S: Scalar> {
-    /// Whether there may be a spring: sweeps over none are skipped.
-    const SPRINGS: bool = true;
+    /// How many directions of springs [`springs`](Self::springs) shows at most: `Directions<2>` for rows and columns. Solvers have room for
+    /// as many, and skip sweeps over none.
+    type Directions: Count;
 
-    /// Whether any link is damped.
-    const DAMPED: bool = false;
+    /// Whether [`dampers`](Self::dampers) shows any: [`WithDampers`] or [`Undamped`].
+    type Damping: Damping;
 
     /// Shows `visitor` every family of springs, in the order in which they are relaxed.
     #[inline]
@@ -153,8 +156,33 @@ impl<S: Scalar> Quotient<S> {
     }
 }
 
+/// How many directions the links between particles `ACROSS` columns and `DOWN` rows apart have.
+pub(crate) const fn directions<const ACROSS: usize, const DOWN: usize>() -> usize {
+    if ACROSS > 0 && DOWN > 0 { 2 } else { 1 }
+}
+
+/// Refuses links that show more than their type says.
+#[track_caller]
+pub(crate) fn check<S: Scalar, L: Links<S>>(links: &L) {
+    let (mut springs, mut dampers) = (Shown(0), Shown(0));
+    links.springs(&mut springs);
+    links.dampers(&mut dampers);
+    assert!(springs.0 <= L::Directions::NUMBER, "links show more directions than `Directions` says; a scene has 24 at most");
+    assert!(dampers.0 == 0 || L::Damping::ANY, "links show dampers, and `Damping` says `Undamped`");
+}
+
+/// The directions of all families shown.
+struct Shown(usize);
+
+impl<S: Scalar> Visitor<S> for Shown {
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, _family: &Family<S>) {
+        self.0 += directions::<ACROSS, DOWN>();
+    }
+}
+
 impl<S: Scalar> Links<S> for () {
-    const SPRINGS: bool = false;
+    type Directions = Directions<0>;
+    type Damping = Undamped;
 
     #[inline]
     fn fingerprint(&self, _print: &mut Fingerprint) {}
@@ -162,8 +190,8 @@ impl<S: Scalar> Links<S> for () {
 
 /// Links that are there or not, decided while the program runs.
 impl<S: Scalar, T: Links<S>> Links<S> for Option<T> {
-    const SPRINGS: bool = T::SPRINGS;
-    const DAMPED: bool = T::DAMPED;
+    type Directions = T::Directions;
+    type Damping = T::Damping;
 
     #[inline]
     fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
@@ -195,11 +223,21 @@ impl<S: Scalar, T: Links<S>> Links<S> for Option<T> {
     }
 }
 
+macro_rules! sum {
+    ($name:ident) => { $name::Directions };
+    ($name:ident, $($others:ident),+) => { <$name::Directions as Count>::Plus<sum!($($others),+)> };
+}
+
+macro_rules! any {
+    ($name:ident) => { $name::Damping };
+    ($name:ident, $($others:ident),+) => { <$name::Damping as Damping>::Or<any!($($others),+)> };
+}
+
 macro_rules! tuple {
     ($($name:ident),+) => {
         impl<S: Scalar, $($name: Links<S>),+> Links<S> for ($($name,)+) {
-            const SPRINGS: bool = $($name::SPRINGS)||+;
-            const DAMPED: bool = $($name::DAMPED)||+;
+            type Directions = sum!($($name),+);
+            type Damping = any!($($name),+);
 
             #[inline]
             fn springs<V: Visitor<S>>(&self, visitor: &mut V) {

@@ -155,7 +155,7 @@ impl Threshold {
         solver: &V,
         physics: Physics<'_, F, L, C>,
         cloth: &mut Cloth<S, W, H>,
-        memory: &mut Memory<V::Memory<W, H>, S, W, H>,
+        memory: &mut Memory<V::Memory<L, W, H>, S, W, H>,
         end: Moment,
     ) {
         let Memory { watch, places, .. } = memory;
@@ -293,9 +293,9 @@ fn surroundings<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>>(physics: Ph
 }
 
 impl<S: Scalar, V: Solver<S>> Solver<S> for Resting<V> {
-    type Memory<const W: usize, const H: usize> = Memory<V::Memory<W, H>, S, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<V::Memory<L, W, H>, S, W, H>;
 
-    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         Memory::new(self.solver.memory())
     }
 
@@ -303,7 +303,7 @@ impl<S: Scalar, V: Solver<S>> Solver<S> for Resting<V> {
         &self,
         physics: Physics<'_, F, L, C>,
         cloth: &mut Cloth<S, W, H>,
-        memory: &mut Self::Memory<W, H>,
+        memory: &mut Self::Memory<L, W, H>,
         end: Moment,
     ) {
         self.threshold.frame(&self.solver, physics, cloth, memory, end);
@@ -314,7 +314,7 @@ impl<S: Scalar, V: Solver<S>> Solver<S> for Resting<V> {
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        memory: &mut Self::Memory<W, H>,
+        memory: &mut Self::Memory<L, W, H>,
         moment: Moment,
     ) {
         self.solver.substep(physics, particles, memory.solver(), moment);

@@ -35,6 +35,7 @@ pub trait Scalar:
     + Neg<Output = Self>
     + AddAssign
     + SubAssign
+    + Send
     + 'static
 {
     /// The name by which programs choose the type.

@@ -4,7 +4,7 @@ use crate::cloth::Cloth;
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::Node;
-use crate::link::Links;
+use crate::link::{self, Links};
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver};
@@ -43,17 +43,19 @@ impl<F, L, C, V> Scene<F, L, C, V> {
     /// The solver's memory for a sheet at the start of its motion.
     ///
     /// # Panics
-    /// For a solver that makes no sense, as one of no sweeps.
+    /// For a solver that makes no sense, as one of no sweeps, and for links of one's own that show more than their type says.
     #[track_caller]
-    pub fn memory<S: Scalar, const W: usize, const H: usize>(&self) -> V::Memory<W, H>
+    pub fn memory<S: Scalar, const W: usize, const H: usize>(&self) -> V::Memory<L, W, H>
     where
+        L: Links<S>,
         V: Solver<S>,
     {
+        link::check(&self.links);
         self.solver.memory()
     }
 
     /// Moves `cloth` by one frame. Cannot fail.
-    pub fn step<S, const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, memory: &mut V::Memory<W, H>)
+    pub fn step<S, const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, memory: &mut V::Memory<L, W, H>)
     where
         S: Scalar,
         F: Force<S>,

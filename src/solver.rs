@@ -24,6 +24,8 @@ mod sweep;
 mod verlet;
 mod xpbd;
 
+use core::marker::PhantomData;
+
 use crate::cloth::Cloth;
 use crate::collider::{Collider, resolve};
 use crate::force::Force;
@@ -61,11 +63,11 @@ impl<F, L, C> Clone for Physics<'_, F, L, C> {
 
 /// A way to move a sheet.
 pub trait Solver<S: Scalar> {
-    /// What the solver remembers from substep to substep, or needs within one.
-    type Memory<const W: usize, const H: usize>;
+    /// What the solver remembers of a sheet with such links from substep to substep, or needs within one.
+    type Memory<L: Links<S>, const W: usize, const H: usize>;
 
     /// Memory for a sheet at the start of its motion.
-    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H>;
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H>;
 
     /// Moves `cloth` by the substeps of a frame up to its `end`. Cannot fail.
     #[inline]
@@ -73,7 +75,7 @@ pub trait Solver<S: Scalar> {
         &self,
         physics: Physics<'_, F, L, C>,
         cloth: &mut Cloth<S, W, H>,
-        memory: &mut Self::Memory<W, H>,
+        memory: &mut Self::Memory<L, W, H>,
         end: Moment,
     ) {
         let particles: &mut Particles<S, W, H> = cloth;
@@ -87,9 +89,20 @@ pub trait Solver<S: Scalar> {
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        memory: &mut Self::Memory<W, H>,
+        memory: &mut Self::Memory<L, W, H>,
         moment: Moment,
     );
+}
+
+/// The memory of a solver that needs none. It says whose it is, so that a program need not.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Stateless<S, const W: usize, const H: usize>(PhantomData<S>);
+
+impl<S, const W: usize, const H: usize> Stateless<S, W, H> {
+    /// Nothing.
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
 }
 
 /// Ends a substep: what links and colliders forbid is undone.

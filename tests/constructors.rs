@@ -228,7 +228,7 @@ fn solvers_do_something() {
     }
     refused("sweeps", "Verlet needs one sweep", || memory::<f32>(Verlet { sweeps: 0 }));
     refused("steps", "backward Euler needs one Newton step", || memory::<Q24>(BackwardEuler { newton_steps: 0 }));
-    refused("sweeps", "lines need one sweep", || Lines::<4>::with_sweeps(0));
+    refused("sweeps", "lines need one sweep", || Lines::with_sweeps(0));
     refused("sweeps", "lines need one sweep", || memory::<f32>(Lines { sweeps: 0, ..Lines::new() }));
     for bad in WRONG.into_iter().chain([0.0]) {
         refused("tolerance", "a tolerance is positive", || Lines::new().within(bad));
@@ -247,7 +247,7 @@ fn fall<S: Scalar>(units: &Units) -> f64 {
     let mut cloth = Cloth::<S, 4, 4>::lay(units, units.point([0.0; 3]));
     let scene = Scene::new(units, Gravity::new(units.acceleration([0.0, 0.0, -9.81])), (), (), Xpbd);
     scene.memory::<S, 4, 4>();
-    (0..60).for_each(|_| scene.step(&mut cloth, &mut ()));
+    (0..60).for_each(|_| scene.step(&mut cloth, &mut scene.memory()));
     cloth.position.at(Node::new(1, 1)).z.to_f64() * units.cell
 }
 
@@ -289,7 +289,7 @@ fn verlet_counts_more_sweeps_than_fixed_point_has_numbers() {
         let scene =
             Scene::new(&UNITS, Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), links, (), Verlet { sweeps });
         scene.memory::<S, 4, 4>();
-        (0..30).for_each(|_| scene.step(&mut cloth, &mut ()));
+        (0..30).for_each(|_| scene.step(&mut cloth, &mut scene.memory()));
         cloth.position.values().fold(0.0, |lowest, x| f64::min(lowest, x.z.to_f64() * UNITS.cell))
     }
     for sweeps in [1, 127, 128, 129, 200, 1000] {
@@ -384,7 +384,7 @@ fn played<S: Scalar>(from: &mut Constants<'_>, kind: usize) -> bool {
         2 => moved(&units, forces, links, colliders, Leapfrog, cloth),
         3 => moved(&units, forces, links, colliders, ForwardEuler, cloth),
         4 => moved(&units, forces, links, colliders, BackwardEuler { newton_steps: sweeps.min(20) }, cloth),
-        5 => moved(&units, forces, links, colliders, Lines::<9>::with_sweeps(sweeps.min(20)).within(tolerance), cloth),
+        5 => moved(&units, forces, links, colliders, Lines::with_sweeps(sweeps.min(20)).within(tolerance), cloth),
         _ => {
             let stillness = Stillness { speed: from.next(), acceleration: from.next(), time: from.next() };
             moved(&units, forces, links, colliders, Resting::new(&units, stillness, Xpbd), cloth)

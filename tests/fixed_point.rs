@@ -106,8 +106,8 @@ fn after_ten_seconds_fixed_point_is_where_f64_is() {
     ten_seconds(Xpbd, 32, [1e-5, 8e-5], 1.2);
     ten_seconds(Xpbd, 128, [8e-5, 5e-4], 4.0);
     ten_seconds(Verlet { sweeps: 8 }, 1, [1e-6, 2e-5], 1.2);
-    ten_seconds(Lines::<6>::with_sweeps(1), 1, [6e-6, 8e-5], 1.2);
-    ten_seconds(Lines::<6>::with_sweeps(2), 4, [6e-6, 8e-5], 1.2);
+    ten_seconds(Lines::with_sweeps(1), 1, [6e-6, 8e-5], 1.2);
+    ten_seconds(Lines::with_sweeps(2), 4, [6e-6, 8e-5], 1.2);
 }
 
 /// Steps in which a sheet at rest is looked at.
@@ -156,10 +156,10 @@ fn a_sheet_at_rest_trembles_by_a_few_last_places_and_neither_creeps_nor_drifts()
     for (solver, Rest { furthest, drift }, place, most) in [
         ("xpbd, q24", at_rest::<Q24, _>(Xpbd, 8), q24, 10.0),
         ("verlet, q24", at_rest::<Q24, _>(Verlet { sweeps: 8 }, 1), q24, 10.0),
-        ("lines, q24", at_rest::<Q24, _>(Lines::<6>::with_sweeps(1), 1), q24, 20.0),
+        ("lines, q24", at_rest::<Q24, _>(Lines::with_sweeps(1), 1), q24, 20.0),
         ("xpbd, q13", at_rest::<Q13, _>(Xpbd, 8), q13, 2.0),
         ("verlet, q13", at_rest::<Q13, _>(Verlet { sweeps: 8 }, 1), q13, 2.0),
-        ("lines, q13", at_rest::<Q13, _>(Lines::<6>::with_sweeps(1), 1), q13, 8.0),
+        ("lines, q13", at_rest::<Q13, _>(Lines::with_sweeps(1), 1), q13, 8.0),
     ] {
         let [x, y, z] = furthest.map(|way| way / place);
         let drift = drift / place;

@@ -66,10 +66,11 @@ fn main() -> ! {
     let wind = AerodynamicWind::new(UNITS.aerodynamic_wind([8.0, 1.0, 0.0], 1.2, 1.2));
     let links = (Stretch::new(&UNITS, UNITS.stiffness(200.0)), Shear::new(&UNITS, UNITS.stiffness(10.0)));
     let scene = Scene::new(&UNITS, (gravity, wind), links, (), Xpbd);
+    let mut memory = scene.memory();
     let camera = Camera::new(&VIEW, SCREEN);
     let mut next = timer.get_counter_low();
     loop {
-        scene.step(&mut cloth, &mut ());
+        scene.step(&mut cloth, &mut memory);
         display.clear(BinaryColor::Off).unwrap();
         Wireframe::new(&cloth, &camera).draw(&mut display).unwrap();
         display.flush().unwrap();

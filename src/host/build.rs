@@ -35,7 +35,8 @@ pub(super) struct SceneLinks<S: Scalar + Send, P: Parts<S>> {
 }
 
 impl<S: Scalar + Send, P: Parts<S>> Links<S> for SceneLinks<S, P> {
-    const DAMPED: bool = <Families<S, P> as Links<S>>::DAMPED;
+    type Directions = <Families<S, P> as Links<S>>::Directions;
+    type Damping = <Families<S, P> as Links<S>>::Damping;
 
     fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
         self.springs.springs(visitor);

@@ -200,7 +200,7 @@ struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     /// Where the first particle started and how far from there the sheet may go, cells.
     start: [f64; 3],
     furthest: f64,
-    memory: <SceneSolver as Solver<S>>::Memory<W, H>,
+    memory: <SceneSolver as Solver<S>>::Memory<SceneLinks<S, P>, W, H>,
 }
 
 impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S, W, H> {

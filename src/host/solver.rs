@@ -14,11 +14,8 @@ use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::rest::{self, Threshold};
 use crate::scalar::Scalar;
-use crate::solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Physics, Solver, Verlet, Xpbd};
+use crate::solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Physics, Solver, Stateless, Verlet, Xpbd};
 use crate::units::Units;
-
-/// What lines remember in a scene with every family: six directions of links, and three grids for dampers.
-const GRIDS: usize = 9;
 
 /// One of the core's solvers.
 #[derive(Clone, Copy, Debug)]
@@ -28,18 +25,18 @@ pub(super) enum AnySolver {
     BackwardEuler(BackwardEuler),
     Leapfrog(Leapfrog),
     Xpbd(Xpbd),
-    Lines(Lines<GRIDS>),
+    Lines(Lines),
 }
 
-type MemoryOf<V, S, const W: usize, const H: usize> = <V as Solver<S>>::Memory<W, H>;
+type MemoryOf<V, S, L, const W: usize, const H: usize> = <V as Solver<S>>::Memory<L, W, H>;
 
 /// The memory of [`AnySolver`], on the heap: a large grid's does not fit the stack of every thread.
-pub(super) enum Memory<S: Scalar, const W: usize, const H: usize> {
+pub(super) enum Memory<S: Scalar, L: Links<S>, const W: usize, const H: usize> {
     None,
-    ForwardEuler(Box<MemoryOf<ForwardEuler, S, W, H>>),
-    BackwardEuler(Box<MemoryOf<BackwardEuler, S, W, H>>),
-    Leapfrog(Box<MemoryOf<Leapfrog, S, W, H>>),
-    Lines(Box<MemoryOf<Lines<GRIDS>, S, W, H>>),
+    ForwardEuler(Box<MemoryOf<ForwardEuler, S, L, W, H>>),
+    BackwardEuler(Box<MemoryOf<BackwardEuler, S, L, W, H>>),
+    Leapfrog(Box<MemoryOf<Leapfrog, S, L, W, H>>),
+    Lines(Box<MemoryOf<Lines, S, L, W, H>>),
 }
 
 impl AnySolver {
@@ -65,15 +62,15 @@ impl AnySolver {
 }
 
 impl<S: Scalar> Solver<S> for AnySolver {
-    type Memory<const W: usize, const H: usize> = Memory<S, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<S, L, W, H>;
 
-    fn memory<const W: usize, const H: usize>(&self) -> Memory<S, W, H> {
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Memory<S, L, W, H> {
         match self {
             Self::Verlet(_) | Self::Xpbd(_) => Memory::None,
-            Self::ForwardEuler(solver) => Memory::ForwardEuler(Box::new(Solver::<S>::memory(solver))),
-            Self::BackwardEuler(solver) => Memory::BackwardEuler(Box::new(Solver::<S>::memory(solver))),
-            Self::Leapfrog(solver) => Memory::Leapfrog(Box::new(Solver::<S>::memory(solver))),
-            Self::Lines(solver) => Memory::Lines(Box::new(Solver::<S>::memory(solver))),
+            Self::ForwardEuler(solver) => Memory::ForwardEuler(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
+            Self::BackwardEuler(solver) => Memory::BackwardEuler(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
+            Self::Leapfrog(solver) => Memory::Leapfrog(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
+            Self::Lines(solver) => Memory::Lines(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
         }
     }
 
@@ -81,12 +78,12 @@ impl<S: Scalar> Solver<S> for AnySolver {
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        memory: &mut Memory<S, W, H>,
+        memory: &mut Memory<S, L, W, H>,
         moment: Moment,
     ) {
         match (self, memory) {
-            (Self::Verlet(solver), _) => solver.substep(physics, particles, &mut (), moment),
-            (Self::Xpbd(solver), _) => solver.substep(physics, particles, &mut (), moment),
+            (Self::Verlet(solver), _) => solver.substep(physics, particles, &mut Stateless::new(), moment),
+            (Self::Xpbd(solver), _) => solver.substep(physics, particles, &mut Stateless::new(), moment),
             (Self::ForwardEuler(solver), Memory::ForwardEuler(memory)) => {
                 solver.substep(physics, particles, memory, moment);
             }
@@ -119,9 +116,9 @@ impl SceneSolver {
 }
 
 impl<S: Scalar> Solver<S> for SceneSolver {
-    type Memory<const W: usize, const H: usize> = rest::Memory<Memory<S, W, H>, S, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = rest::Memory<Memory<S, L, W, H>, S, W, H>;
 
-    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         rest::Memory::new(self.solver.memory())
     }
 
@@ -129,7 +126,7 @@ impl<S: Scalar> Solver<S> for SceneSolver {
         &self,
         physics: Physics<'_, F, L, C>,
         cloth: &mut Cloth<S, W, H>,
-        memory: &mut Self::Memory<W, H>,
+        memory: &mut Self::Memory<L, W, H>,
         end: Moment,
     ) {
         match &self.rest {
@@ -142,7 +139,7 @@ impl<S: Scalar> Solver<S> for SceneSolver {
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        memory: &mut Self::Memory<W, H>,
+        memory: &mut Self::Memory<L, W, H>,
         moment: Moment,
     ) {
         self.solver.substep(physics, particles, memory.solver(), moment);

@@ -35,8 +35,8 @@ impl<L, S: Scalar> StrainLimited<L, S> {
 }
 
 impl<S: Scalar, L: Links<S>> Links<S> for StrainLimited<L, S> {
-    const SPRINGS: bool = L::SPRINGS;
-    const DAMPED: bool = L::DAMPED;
+    type Directions = L::Directions;
+    type Damping = L::Damping;
 
     #[inline]
     fn springs<V: Visitor<S>>(&self, visitor: &mut V) {

@@ -1,7 +1,9 @@
 //! Springs between neighbours: Hooke's law `f = −k·(|d| − L)·d/|d|`, rest length L = initial distance.
 
 use crate::fingerprint::Fingerprint;
-use crate::link::{Family, Links, Quotient, Visitor};
+use crate::link::{Directions, Family, Links, Quotient, Undamped, Visitor, WithDampers};
+use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::{Rest, Scalar};
 use crate::units::{Strength, Units};
 
@@ -29,6 +31,10 @@ macro_rules! springs {
         }
 
         impl<S: Scalar> Links<S> for $name<S> {
+            // one along rows and one along columns, or one along each diagonal
+            type Directions = Directions<2>;
+            type Damping = Undamped;
+
             #[inline]
             fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
                 $(visitor.family::<$across, $down>(&Family { strength: self.strength, rest: self.rest[$index] });)+
@@ -75,8 +81,8 @@ impl<L, S: Scalar> Damped<L, S> {
 }
 
 impl<S: Scalar, L: Links<S>> Links<S> for Damped<L, S> {
-    const SPRINGS: bool = L::SPRINGS;
-    const DAMPED: bool = true;
+    type Directions = L::Directions;
+    type Damping = WithDampers;
 
     #[inline]
     fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
@@ -89,6 +95,11 @@ impl<S: Scalar, L: Links<S>> Links<S> for Damped<L, S> {
         if self.damping.dividend != S::ZERO {
             self.links.springs(&mut WithStrength { visitor, strength: self.damping });
         }
+    }
+
+    #[inline]
+    fn confine<const W: usize, const H: usize>(&self, particles: &mut Particles<S, W, H>, moment: Moment) {
+        self.links.confine(particles, moment);
     }
 
     #[inline]

@@ -7,7 +7,7 @@ use heapless::Vec;
 
 use crate::fingerprint::Fingerprint;
 use crate::grid::{Grid, Node};
-use crate::link::Links;
+use crate::link::{Directions, Links, Undamped};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -37,7 +37,8 @@ impl<S: Scalar, const N: usize> Tether<S, N> {
 }
 
 impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
-    const SPRINGS: bool = false;
+    type Directions = Directions<0>;
+    type Damping = Undamped;
 
     fn fingerprint(&self, print: &mut Fingerprint) {
         print.numbers(self.sides);

@@ -16,7 +16,7 @@ mod gradients;
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::{Grid, Node, each_node};
-use crate::link::{Family, Links, OneByOne, Order, Visitor, fits, one_by_one};
+use crate::link::{Damping, Family, Links, OneByOne, Order, Visitor, fits, one_by_one};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -44,10 +44,10 @@ pub struct Memory<S, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar> Solver<S> for BackwardEuler {
-    type Memory<const W: usize, const H: usize> = Memory<S, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<S, W, H>;
 
     #[track_caller]
-    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         assert!(self.newton_steps > 0, "backward Euler needs one Newton step at least");
         let zero = Vectors::filled(Vec3::ZERO);
         Memory { correction: zero, step: zero, residual: zero, direction: zero, product: zero }
@@ -57,7 +57,7 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        memory: &mut Self::Memory<W, H>,
+        memory: &mut Self::Memory<L, W, H>,
         moment: Moment,
     ) {
         let shift = moment.shift;
@@ -134,7 +134,7 @@ impl<S: Scalar> System<S> {
             );
         });
         links.springs(&mut Pull { system: self, particles, residual: &mut memory.residual });
-        if L::DAMPED {
+        if L::Damping::ANY {
             links.dampers(&mut Brake { system: self, particles, residual: &mut memory.residual, shift });
         }
         clear_pins(particles, &mut memory.residual);
@@ -154,7 +154,7 @@ impl<S: Scalar> System<S> {
             );
         });
         links.springs(&mut Stiffness { system: self, particles, direction, product });
-        if L::DAMPED {
+        if L::Damping::ANY {
             links.dampers(&mut Viscosity { system: self, direction, product });
         }
         clear_pins(particles, product);

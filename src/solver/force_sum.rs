@@ -2,7 +2,7 @@
 
 use crate::force::Force;
 use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, OneByOne, Order, Visitor, one_by_one};
+use crate::link::{Damping, Family, Links, OneByOne, Order, Visitor, one_by_one};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::solver::predict::field;
@@ -27,7 +27,7 @@ pub(super) fn gains<S: Scalar, F: Force<S>, L: Links<S>, const W: usize, const H
         }
     }
     links.springs(&mut Springs { particles, gain, shift });
-    if L::DAMPED {
+    if L::Damping::ANY {
         links.dampers(&mut Dampers { particles, gain });
     }
     let uniform = forces.uniform();

@@ -20,9 +20,9 @@ pub struct ForwardEuler;
 
 impl<S: Scalar> Solver<S> for ForwardEuler {
     /// The force on every particle.
-    type Memory<const W: usize, const H: usize> = Vectors<S, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = Vectors<S, W, H>;
 
-    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         Vectors::filled(Vec3::ZERO)
     }
 
@@ -30,7 +30,7 @@ impl<S: Scalar> Solver<S> for ForwardEuler {
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        gain: &mut Self::Memory<W, H>,
+        gain: &mut Self::Memory<L, W, H>,
         moment: Moment,
     ) {
         force_sum::gains(physics.forces, physics.links, particles, moment.shift, gain);

@@ -3,7 +3,7 @@
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::Grid;
-use crate::link::{Family, Links, Visitor};
+use crate::link::{Damping, Family, Links, Visitor};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -27,9 +27,9 @@ pub struct Memory<S, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar> Solver<S> for Leapfrog {
-    type Memory<const W: usize, const H: usize> = Memory<S, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<S, W, H>;
 
-    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         Memory { gain: Vectors::filled(Vec3::ZERO), start: Vectors::filled(Vec3::ZERO) }
     }
 
@@ -37,7 +37,7 @@ impl<S: Scalar> Solver<S> for Leapfrog {
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        memory: &mut Self::Memory<W, H>,
+        memory: &mut Self::Memory<L, W, H>,
         moment: Moment,
     ) {
         let Memory { gain, start } = memory;
@@ -74,7 +74,7 @@ impl<S: Scalar> Solver<S> for Leapfrog {
 #[inline]
 fn is_damped<S: Scalar, L: Links<S>>(links: &L) -> bool {
     let mut seen = Seen(false);
-    if L::DAMPED {
+    if L::Damping::ANY {
         links.dampers(&mut seen);
     }
     seen.0

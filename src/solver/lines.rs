@@ -35,7 +35,7 @@ mod viscosity;
 use crate::collider::Collider;
 use crate::force::Force;
 use crate::grid::Grid;
-use crate::link::Links;
+use crate::link::{Blank, Count, Damping, Links};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -55,11 +55,9 @@ use viscosity::Axes;
 /// The rule in time is stable for any stiffness and step, and substeps whose sweeps don't converge are split. Nearly rigid sheets in few substeps may go on trembling all the
 /// same: docs/line-solver.md says which.
 ///
-/// `N` is the number of grids of multipliers that it has: one for each direction of links in the scene, in the order in which the scene names them, two for stretch, shear and
-/// bend each. Families beyond that act once in every substep, which costs accuracy only; rows and columns, without which nothing holds, come first wherever they are named,
-/// so at least two. Where links may be [damped](crate::link::Damped) three more: 7 for stretch and shear, 9 with bend.
+/// It remembers a multiplier of each link, and a vector a particle where links may be [damped](crate::link::Damped).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lines<const N: usize = 4> {
+pub struct Lines {
     /// Sweeps in every substep, at least one. More make a substep more accurate; the order is 2 with any number.
     pub sweeps: u32,
     /// The largest strain of a row that needs no further sweep. Sheets in motion are strained by about as much.
@@ -69,7 +67,12 @@ pub struct Lines<const N: usize = 4> {
     pub most_sweeps: u32,
 }
 
-impl<const N: usize> Lines<N> {
+impl Lines {
+    /// Two sweeps or more: what most scenes want.
+    pub const fn new() -> Self {
+        Self::with_sweeps(2)
+    }
+
     /// At least `sweeps` sweeps in a substep, and at most 16, until rows are strained by no more than 2 %.
     ///
     /// # Panics
@@ -92,16 +95,9 @@ impl<const N: usize> Lines<N> {
     }
 }
 
-impl Lines {
-    /// Two sweeps or more, multipliers for stretch and shear: what most scenes want.
-    pub const fn new() -> Self {
-        Self::with_sweeps(2)
-    }
-}
-
-impl<const N: usize> Default for Lines<N> {
+impl Default for Lines {
     fn default() -> Self {
-        Self::with_sweeps(2)
+        Self::new()
     }
 }
 
@@ -119,24 +115,38 @@ const CALM: f64 = 0.02;
 
 /// What a sheet's motion leaves behind.
 #[derive(Clone, Copy, Debug)]
-pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
+pub struct Memory<S, T, P, const W: usize, const H: usize> {
     /// The velocity before the last substep, cells per tick.
     earlier: Vectors<S, W, H>,
     /// The multiplier of each link in the last sweep, at its upper or left particle, in cells over the dividend of the link's strength.
-    tension: [Grid<S, W, H>; N],
+    tension: T,
+    /// What springs did beside dampers in the last substep: x, y and z.
+    pull: P,
     kept: Kept,
     split: Split,
     history: History,
 }
 
-impl<S: Scalar, const W: usize, const H: usize, const N: usize> Memory<S, W, H, N> {
+impl<S: Scalar, T: Blank, P: Blank, const W: usize, const H: usize> Memory<S, T, P, W, H> {
     /// What a solver starts with: nothing but zeros.
-    pub const BLANK: Self = {
-        assert!(N >= 2, "the line solver remembers rows and columns at least");
-        let (earlier, tension) = (Vectors::filled(Vec3::ZERO), [Grid::filled(S::ZERO); N]);
-        Self { earlier, tension, kept: Kept::NONE, split: Split::NONE, history: History::None }
+    pub const BLANK: Self = Self {
+        earlier: Vectors::filled(Vec3::ZERO),
+        tension: T::BLANK,
+        pull: P::BLANK,
+        kept: Kept::NONE,
+        split: Split::NONE,
+        history: History::None,
     };
 }
+
+/// The multipliers of links, and what is remembered beside dampers.
+type MemoryOf<S, L, const W: usize, const H: usize> = Memory<
+    S,
+    <<L as Links<S>>::Directions as Count>::Array<Grid<S, W, H>>,
+    <<L as Links<S>>::Damping as Damping>::Pull<Grid<S, W, H>>,
+    W,
+    H,
+>;
 
 /// What is known of the past.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -149,11 +159,11 @@ enum History {
     Velocity,
 }
 
-impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
-    type Memory<const W: usize, const H: usize> = Memory<S, W, H, N>;
+impl<S: Scalar> Solver<S> for Lines {
+    type Memory<L: Links<S>, const W: usize, const H: usize> = MemoryOf<S, L, W, H>;
 
     #[track_caller]
-    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         assert!(self.sweeps > 0 && self.most_sweeps > 0, "lines need one sweep at least");
         assert!(is_positive(self.tolerance), "a tolerance is positive and finite");
         Memory::BLANK
@@ -163,7 +173,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        memory: &mut Self::Memory<W, H>,
+        memory: &mut Self::Memory<L, W, H>,
         moment: Moment,
     ) {
         if memory.history == History::None {
@@ -188,13 +198,13 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
     }
 }
 
-impl<const N: usize> Lines<N> {
+impl Lines {
     /// Moves particles by a part of a substep: a half, a quarter and so on, `split` times halved.
     fn part<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        memory: &mut Memory<S, W, H, N>,
+        memory: &mut MemoryOf<S, L, W, H>,
         moment: Moment,
         split: u32,
     ) -> Outcome<S> {
@@ -217,7 +227,7 @@ impl<const N: usize> Lines<N> {
         let response = part.divide(S::ONE + part * physics.forces.drag().rate.halve(split));
         let softness = (part * response).halve(2 * split);
         let response = response.halve(split);
-        let (tension, pull) = memory.tension.split_at_mut(N - const { spare::<S, L>(N) });
+        let (tension, pull) = (memory.tension.as_mut(), memory.pull.as_mut());
         let mut viscous = pull
             .first_chunk_mut()
             .and_then(|pull| Some((Pull(pull), Axes::of(physics.links, &particles.inverse_mass, response)?)));
@@ -263,19 +273,6 @@ impl<const N: usize> Lines<N> {
         // what is overstretched comes together by sweeps: shorter steps would throw it
         let residual = if met > S::ONE || !none_is_light { S::ZERO } else { met };
         Outcome { residual, few: sweeps <= least_sweeps }
-    }
-}
-
-/// The grids that are not for multipliers.
-const fn spare<S: Scalar, L: Links<S>>(grids: usize) -> usize {
-    if L::DAMPED {
-        assert!(
-            grids >= 2 + pull::GRIDS,
-            "where links may be damped, three grids more are needed: `Lines::<7>::default()` for stretch and shear"
-        );
-        pull::GRIDS
-    } else {
-        0
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::force::{Force, Row};
 use crate::grid::{Grid, Node};
-use crate::link::{Family, Links, OneByOne, Order, Visitor, one_by_one};
+use crate::link::{Damping, Family, Links, OneByOne, Order, Visitor, one_by_one};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
@@ -79,7 +79,7 @@ pub(super) fn damp<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     links: &L,
     particles: &mut Particles<S, W, H>,
 ) {
-    if L::DAMPED {
+    if L::Damping::ANY {
         links.dampers(&mut Damp { particles });
     }
 }

@@ -4,7 +4,7 @@
 //! simulation of compliant constrained dynamics*, 2016, equation 18 with α̃ = 1/κ).
 
 use crate::grid::Node;
-use crate::link::{Family, Links, Quotient, Visitor, each_row, in_row};
+use crate::link::{Count, Family, Links, Quotient, Visitor, each_row, in_row};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::{Rest, Rounding, Scalar};
@@ -19,7 +19,7 @@ use crate::vec3::Vec3;
 pub(super) fn go<S: Scalar, L: Links<S>>(moment: Moment) -> impl Fn(Vec3<S>, Vec3<S>) -> [Vec3<S>; 2] {
     move |position, velocity| {
         let position = position + moment.displacement(velocity);
-        [position, if L::SPRINGS && !S::FLOATS { velocity - position.map(|x| moment.share(x)) } else { velocity }]
+        [position, if L::Directions::NUMBER > 0 && !S::FLOATS { velocity - position.map(|x| moment.share(x)) } else { velocity }]
     }
 }
 
@@ -31,7 +31,7 @@ pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     moment: Moment,
     parts: u32,
 ) {
-    if !L::SPRINGS {
+    if L::Directions::NUMBER == 0 {
         return;
     }
     let ordinary = ordinary::rows(particles);

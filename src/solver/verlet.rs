@@ -6,7 +6,7 @@ use crate::link::Links;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, confine, predict, sweep};
+use crate::solver::{Physics, Solver, Stateless, confine, predict, sweep};
 use crate::vec3::Vec3;
 
 /// Position Verlet `x' = x + (1 − D)·(x − x_old) + h²·a`, then `sweeps` relaxations of all springs.
@@ -22,18 +22,19 @@ pub struct Verlet {
 
 impl<S: Scalar> Solver<S> for Verlet {
     /// Nothing.
-    type Memory<const W: usize, const H: usize> = ();
+    type Memory<L: Links<S>, const W: usize, const H: usize> = Stateless<S, W, H>;
 
     #[track_caller]
-    fn memory<const W: usize, const H: usize>(&self) {
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Stateless<S, W, H> {
         assert!(self.sweeps > 0, "Verlet needs one sweep at least");
+        Stateless::new()
     }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        (): &mut (),
+        _memory: &mut Stateless<S, W, H>,
         moment: Moment,
     ) {
         let decay = physics.forces.drag().decay;

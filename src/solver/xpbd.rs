@@ -6,7 +6,7 @@ use crate::link::Links;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, confine, predict, sweep};
+use crate::solver::{Physics, Solver, Stateless, confine, predict, sweep};
 use crate::vec3::Vec3;
 
 /// Extended position-based dynamics, first order, stable for any stiffness and step.
@@ -17,15 +17,17 @@ pub struct Xpbd;
 
 impl<S: Scalar> Solver<S> for Xpbd {
     /// Nothing.
-    type Memory<const W: usize, const H: usize> = ();
+    type Memory<L: Links<S>, const W: usize, const H: usize> = Stateless<S, W, H>;
 
-    fn memory<const W: usize, const H: usize>(&self) {}
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Stateless<S, W, H> {
+        Stateless::new()
+    }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        (): &mut (),
+        _memory: &mut Stateless<S, W, H>,
         moment: Moment,
     ) {
         let drag = physics.forces.drag();

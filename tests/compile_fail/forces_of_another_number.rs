@@ -8,5 +8,5 @@ fn main() {
     let mut cloth = Cloth::<Q24, 4, 4>::lay(&UNITS, UNITS.point([0.0; 3]));
     let gravity = Gravity::<f32>::new(UNITS.acceleration([0.0, 0.0, -9.81]));
     let scene = Scene::new(&UNITS, gravity, (), (), Xpbd);
-    scene.step(&mut cloth, &mut ());
+    scene.step(&mut cloth, &mut scene.memory());
 }

@@ -37,8 +37,8 @@ fn the_line_solver_is_near_it_in_every_number_type() {
 #[test]
 fn the_line_solver_is_near_it_with_strong_dampers() {
     for substeps in [2, 8] {
-        assert_near::<f64, 16, 16>(&syrup(16), Method::LinesMindful, substeps, 1e-2 / f64::from(substeps));
-        assert_near::<f32, 16, 16>(&syrup(16), Method::LinesMindful, substeps, 1e-2 / f64::from(substeps));
-        assert_near::<Q24, 16, 16>(&syrup(16), Method::LinesMindful, substeps, 1e-2 / f64::from(substeps));
+        assert_near::<f64, 16, 16>(&syrup(16), Method::Lines(2), substeps, 1e-2 / f64::from(substeps));
+        assert_near::<f32, 16, 16>(&syrup(16), Method::Lines(2), substeps, 1e-2 / f64::from(substeps));
+        assert_near::<Q24, 16, 16>(&syrup(16), Method::Lines(2), substeps, 1e-2 / f64::from(substeps));
     }
 }

@@ -15,7 +15,7 @@ const FLOORS: [(Method, u32, [f64; 3]); 7] = [
     (Method::Verlet(4), 16, [1e-5, 3e-5, 4e-4]),
     (Method::Xpbd, 16, [1e-5, 1e-5, 1e-4]),
     (Method::Lines(1), 16, [1e-5, 3e-5, 3e-3]),
-    (Method::LinesMindful, 16, [1e-5, 3e-5, 3e-3]),
+    (Method::Lines(2), 16, [1e-5, 3e-5, 3e-3]),
 ];
 
 /// The sheet after each of twenty frames.

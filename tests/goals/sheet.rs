@@ -65,7 +65,7 @@ impl Sheet {
 
     /// The line solver in `f32` against the solution.
     pub(crate) fn run(&self, substeps: u32, tolerance: f64, reference: &Frames) -> Found {
-        let motion = self.moved::<Counted, _>(Lines::<6>::with_sweeps(2).within(tolerance), substeps);
+        let motion = self.moved::<Counted, _>(Lines::with_sweeps(2).within(tolerance), substeps);
         let particle_frames = (self.side * self.side * self.frames) as f64;
         Found {
             error: distance(&motion.frames, reference),

@@ -28,7 +28,7 @@ fn diagonals_of_a_chain_change_nothing() {
         Method::Leapfrog,
         Method::Verlet(4),
         Method::Xpbd,
-        Method::LinesMindful,
+        Method::Lines(2),
     ] {
         assert!(is_unchanged::<f32>(method), "{method:?} in f32");
         assert!(is_unchanged::<f64>(method), "{method:?} in f64");

@@ -12,7 +12,7 @@ use rig::{Pace, Rig};
 #[test]
 fn a_moving_pin_arrives_where_it_was_told() {
     fn check<S: Scalar>(substeps: u32, bound: f64) {
-        let mut rig = Rig::<S, _, 8, 8>::new(&corners(8), Pace::new(0.1, substeps), Lines::<7>::default());
+        let mut rig = Rig::<S, _, 8, 8>::new(&corners(8), Pace::new(0.1, substeps), Lines::default());
         let node = Node::new(0, 0);
         for frame in 1..=20 {
             let t = 0.1 * f64::from(frame);
@@ -49,7 +49,7 @@ fn a_released_sheet_falls() {
 
 #[test]
 fn one_scene_moves_two_sheets_alike() {
-    let mut one = Rig::<Q24, _, 8, 8>::new(&corners(8), Pace::new(0.1, 8), Lines::<7>::default());
+    let mut one = Rig::<Q24, _, 8, 8>::new(&corners(8), Pace::new(0.1, 8), Lines::default());
     let mut second = (one.cloth, one.scene.memory());
     for _ in 0..20 {
         one.scene.step(&mut one.cloth, &mut one.memory);

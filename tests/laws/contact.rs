@@ -40,7 +40,7 @@ fn no_particle_comes_nearer_than_the_margin() {
         let (centre, end) = ([0.0, 0.0, -0.5], [0.4, 0.0, -0.5]);
         let length = |x: [f64; 3], from: [f64; 3]| (0..3).map(|k| (x[k] - from[k]).powi(2)).sum::<f64>().sqrt();
         let sphere = |units: &Units| Sphere::<S>::new(units.point(centre), units.length(0.3), units.length(0.02));
-        assert_kept::<S, _, _>(Lines::<7>::default(), sphere, 0.32, |x| length(x, centre));
+        assert_kept::<S, _, _>(Lines::default(), sphere, 0.32, |x| length(x, centre));
         assert_kept::<S, _, _>(Xpbd, |units| sphere(units).with_friction(S::HALF), 0.32, |x| length(x, centre));
         let capsule = |units: &Units| {
             Capsule::<S>::new(units.point(centre), units.point(end), units.length(0.1), units.length(0.02))
@@ -51,7 +51,7 @@ fn no_particle_comes_nearer_than_the_margin() {
             let up = Vec3::new(S::ZERO, S::ZERO, S::ONE);
             Plane::<S>::new(units.point([0.0, 0.0, -0.2]), up, units.length(0.01))
         };
-        assert_kept::<S, _, _>(Lines::<7>::default(), plane, 0.01, |x| x[2] + 0.2);
+        assert_kept::<S, _, _>(Lines::default(), plane, 0.01, |x| x[2] + 0.2);
     }
     check::<f32>();
     check::<f64>();
@@ -91,9 +91,9 @@ fn a_sheet_slides_down_a_slope_as_coulomb_says() {
     // first order: h·t·a/2
     assert_slides::<f64, _>(Xpbd, 32, 3e-3, 1e-12);
     for substeps in [1, 8, 32] {
-        assert_slides::<f64, _>(Lines::<7>::default(), substeps, 1e-6, 1e-12);
-        assert_slides::<f32, _>(Lines::<7>::default(), substeps, 1e-3, 1e-6);
-        assert_slides::<Q24, _>(Lines::<7>::default(), substeps, 1e-2, 1e-6);
+        assert_slides::<f64, _>(Lines::default(), substeps, 1e-6, 1e-12);
+        assert_slides::<f32, _>(Lines::default(), substeps, 1e-3, 1e-6);
+        assert_slides::<Q24, _>(Lines::default(), substeps, 1e-2, 1e-6);
     }
 }
 
@@ -101,8 +101,8 @@ fn a_sheet_slides_down_a_slope_as_coulomb_says() {
 fn a_coefficient_of_friction_of_a_hundred_holds() {
     for (slope, substeps) in [(0.3, 1), (1.2, 1), (1.2, 8)] {
         for found in [
-            slid::<Q24, _>(Lines::<7>::default(), substeps, slope, 100.0),
-            slid::<Q13, _>(Lines::<7>::default(), substeps, slope, 100.0),
+            slid::<Q24, _>(Lines::default(), substeps, slope, 100.0),
+            slid::<Q13, _>(Lines::default(), substeps, slope, 100.0),
             slid::<Q24, _>(Xpbd, substeps, slope, 100.0),
         ] {
             assert!(found.abs() < 1e-6, "{found} m on a slope of {slope}, {substeps} substeps");
@@ -133,7 +133,7 @@ fn thrown_back<S: Scalar, V: Solver<S> + Copy>(solver: V, substeps: u32) -> f64 
 fn the_ground_throws_nothing_back() {
     fn check<S: Scalar>() {
         for substeps in [1, 8, 64] {
-            let found = [thrown_back::<S, _>(Lines::<7>::default(), substeps), thrown_back::<S, _>(Xpbd, substeps)];
+            let found = [thrown_back::<S, _>(Lines::default(), substeps), thrown_back::<S, _>(Xpbd, substeps)];
             assert!(
                 found.into_iter().all(|height| height < 1e-6),
                 "{found:?} m with {substeps} substeps in {}",
@@ -163,7 +163,7 @@ fn on_a_rod<V: Solver<f64>>(solver: V, substeps: u32) -> Vec<[f64; 3]> {
 fn contacts_converge() {
     let exact = on_a_rod(Leapfrog, 2048);
     let errors = [16, 64, 256].map(|substeps| {
-        let found = on_a_rod(Lines::<6>::default(), substeps);
+        let found = on_a_rod(Lines::default(), substeps);
         let apart = found.iter().flatten().zip(exact.iter().flatten()).map(|(a, b)| (a - b).powi(2));
         (apart.sum::<f64>() / 64.0).sqrt()
     });
@@ -192,5 +192,5 @@ fn assert_taken_along<V: Solver<f64>>(solver: V) {
 #[test]
 fn a_ball_that_moves_takes_the_sheet_along() {
     assert_taken_along(Xpbd);
-    assert_taken_along(Lines::<7>::default());
+    assert_taken_along(Lines::default());
 }

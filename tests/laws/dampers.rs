@@ -25,7 +25,7 @@ fn a_damper_takes_what_it_must() {
     fn check<S: Scalar>(error: f64) {
         for kappa in [0.01, 0.1, 1.0, 5.0, 30.0] {
             for (name, found) in [
-                ("lines", left::<S, _>(Lines::<5>::default(), kappa)),
+                ("lines", left::<S, _>(Lines::default(), kappa)),
                 ("xpbd", left::<S, _>(Xpbd, kappa)),
                 ("verlet", left::<S, _>(Verlet { sweeps: 2 }, kappa)),
                 ("backward Euler", left::<S, _>(BackwardEuler { newton_steps: 3 }, kappa)),

@@ -7,8 +7,7 @@ use rig::scenes::{corners, syrup};
 use rig::{Method, Pace, moved};
 
 /// Every solver that keeps the sheets below in every number type.
-const METHODS: [Method; 5] =
-    [Method::BackwardEuler, Method::Verlet(4), Method::Xpbd, Method::Lines(2), Method::LinesMindful];
+const METHODS: [Method; 4] = [Method::BackwardEuler, Method::Verlet(4), Method::Xpbd, Method::Lines(2)];
 
 /// The largest difference between a sheet on two corners and its mirror image in 10 s, over its size.
 fn asymmetry<S: Scalar>(mut model: Model, method: Method) -> f64 {

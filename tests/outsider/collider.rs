@@ -26,7 +26,7 @@ fn fall<S: Scalar>(bowl: impl Collider<S>) -> [f64; 2] {
     let scene = Scene::new(&units, gravity, (), bowl, Xpbd);
     let (mut lowest, mut farthest): (f64, f64) = (0.0, 0.0);
     for _ in 0..25 {
-        scene.step(&mut cloth, &mut ());
+        scene.step(&mut cloth, &mut scene.memory());
         lowest = lowest.min(measure::bounds(&cloth)[0].z.to_f64());
         let distances = cloth.position.values().map(|x| x.length().to_f64());
         farthest = distances.fold(farthest, f64::max);

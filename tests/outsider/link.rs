@@ -1,6 +1,6 @@
 //! An outsider's family of links: springs and dampers to where a chess knight goes.
 
-use kerchief::link::{Family, Links, Quotient, Visitor};
+use kerchief::link::{Directions, Family, Links, Quotient, Visitor, WithDampers};
 use kerchief::scalar::Rest;
 use kerchief::{Cloth, Grid, Leapfrog, Scalar, Scene, Units, Vec3, measure};
 
@@ -28,7 +28,8 @@ impl<S: Scalar> Knight<S> {
 }
 
 impl<S: Scalar> Links<S> for Knight<S> {
-    const DAMPED: bool = true;
+    type Directions = Directions<4>;
+    type Damping = WithDampers;
 
     fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
         self.show(self.stiffness, visitor);

@@ -13,9 +13,9 @@ struct SemiImplicitEuler;
 
 impl<S: Scalar> Solver<S> for SemiImplicitEuler {
     /// The velocities that particles of mass 1 gain.
-    type Memory<const W: usize, const H: usize> = Vectors<S, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = Vectors<S, W, H>;
 
-    fn memory<const W: usize, const H: usize>(&self) -> Self::Memory<W, H> {
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         Vectors::filled(Vec3::ZERO)
     }
 
@@ -23,7 +23,7 @@ impl<S: Scalar> Solver<S> for SemiImplicitEuler {
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        gain: &mut Self::Memory<W, H>,
+        gain: &mut Self::Memory<L, W, H>,
         moment: Moment,
     ) {
         *gain = Vectors::filled(Vec3::ZERO);

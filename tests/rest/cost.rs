@@ -12,10 +12,11 @@ const CHEAPEST: Lines = Lines::with_sweeps(1);
 const NUMBERS: u64 = 7 * (SIDE * SIDE) as u64;
 
 type Sheet = Cloth<Counted, SIDE, SIDE>;
-type Hanging<V> = Scene<Gravity<Counted>, (Stretch<Counted>, Shear<Counted>), (), V>;
+type Springs = (Stretch<Counted>, Shear<Counted>);
+type Hanging<V> = Scene<Gravity<Counted>, Springs, (), V>;
 
 /// A sheet on two corners.
-fn hanging<V: Solver<Counted>>(solver: V) -> (Hanging<V>, Sheet, V::Memory<SIDE, SIDE>) {
+fn hanging<V: Solver<Counted>>(solver: V) -> (Hanging<V>, Sheet, V::Memory<Springs, SIDE, SIDE>) {
     let mut cloth = Sheet::hang(&UNITS, UNITS.point([0.0; 3]));
     cloth.pin(Node::new(0, 0));
     cloth.pin(Node::new(SIDE - 1, 0));

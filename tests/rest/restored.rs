@@ -3,12 +3,13 @@
 use core::mem;
 
 use kerchief::rest::Memory;
+use kerchief::solver::Stateless;
 use kerchief::{Gravity, Lines, Node, Q24, Resting, Vec3, Xpbd, measure};
 
 use crate::{DOWN, Described, SIDE, Sheet, UNITS, curtain, resting, settle};
 
 type Curtain = Described<Q24, Resting<Xpbd>>;
-type Remembered = Memory<(), Q24, SIDE, SIDE>;
+type Remembered = Memory<Stateless<Q24, SIDE, SIDE>, Q24, SIDE, SIDE>;
 
 fn at_rest() -> (Curtain, Sheet<Q24>, Remembered) {
     let (scene, mut cloth) = curtain::<Q24, _>(resting(Xpbd));
@@ -30,7 +31,7 @@ fn wakes(scene: &Curtain, cloth: &mut Sheet<Q24>, memory: &mut Remembered) -> bo
     alone.forces = scene.forces;
     let before = measure::digest(cloth);
     let mut twin = *cloth;
-    alone.step(&mut twin, &mut ());
+    alone.step(&mut twin, &mut Stateless::new());
     scene.step(cloth, memory);
     let after = measure::digest(cloth);
     assert!(memory.is_at_rest() || after == measure::digest(&twin), "moved otherwise");
@@ -61,13 +62,13 @@ fn sheets_that_change_places_wake() {
 #[test]
 fn a_sheet_that_another_solver_moved_wakes() {
     let (scene, mut cloth, mut memory) = at_rest();
-    let (mut other, _) = curtain::<Q24, _>(Lines::<9>::default());
+    let (mut other, _) = curtain::<Q24, _>(Lines::default());
     other.forces.0 = Gravity::new(UNITS.acceleration([1.0, 0.0, DOWN[2]]));
     other.step(&mut cloth, &mut other.memory::<Q24, SIDE, SIDE>());
     assert!(wakes(&scene, &mut cloth, &mut memory));
     // another one that rests, too
     let (scene, mut cloth, mut memory) = at_rest();
-    let (mut other, _) = curtain::<Q24, _>(resting(Lines::<9>::default()));
+    let (mut other, _) = curtain::<Q24, _>(resting(Lines::default()));
     other.forces.0 = Gravity::new(UNITS.acceleration([1.0, 0.0, DOWN[2]]));
     assert!(settle(&other, &mut cloth, &mut other.memory::<Q24, SIDE, SIDE>(), 3600).is_some());
     assert!(wakes(&scene, &mut cloth, &mut memory));

@@ -2,7 +2,7 @@
 
 use kerchief::{Scalar, Solver, measure};
 
-use crate::{SIDE, Trial, UNITS, curtain, every_solver, resting, settle};
+use crate::{SIDE, Springs, Trial, UNITS, curtain, every_solver, resting, settle};
 
 /// Frames of a minute.
 const MINUTE: u32 = 3600;
@@ -12,7 +12,7 @@ struct KeepsItsBits;
 impl Trial for KeepsItsBits {
     fn with<S: Scalar, V: Solver<S> + Copy>(&self, name: &str, solver: V)
     where
-        V::Memory<SIDE, SIDE>: Clone,
+        V::Memory<Springs<S>, SIDE, SIDE>: Clone,
     {
         let (scene, mut cloth) = curtain::<S, _>(resting(solver));
         let mut memory = scene.memory();

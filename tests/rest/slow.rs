@@ -66,7 +66,7 @@ fn frames_at_rest<S: Scalar>(amplitude: f64) -> u32 {
         gravity::<S>(weight),
         springs::<S>(),
         (),
-        Resting::new(&UNITS, STILL, Lines::<7>::default()),
+        Resting::new(&UNITS, STILL, Lines::default()),
     );
     let mut cloth = Sheet::<S>::hang(&UNITS, UNITS.point([0.0; 3]));
     (0..4).for_each(|column| cloth.pin(Node::new(column, 0)));
@@ -98,7 +98,7 @@ fn slow_hands_are_followed<S: Scalar>() {
     let ball = ball.with_velocity(UNITS.velocity([0.0, -slow, 0.0]));
     let forces = (gravity::<S>(9.81), Drag::new(UNITS.drag(4.0)));
     let mut scene =
-        Scene::new(&UNITS, forces, springs::<S>(), ball, Resting::new(&UNITS, STILL, Lines::<7>::default()));
+        Scene::new(&UNITS, forces, springs::<S>(), ball, Resting::new(&UNITS, STILL, Lines::default()));
     let mut cloth = Sheet::<S>::hang(&UNITS, UNITS.point([0.0; 3]));
     (0..4).for_each(|column| cloth.pin(Node::new(column, 0)));
     let mut memory = scene.memory();

@@ -39,7 +39,7 @@ impl DrawTarget for Counting {
 
 #[test]
 fn a_still_picture_sends_nothing() {
-    let (mut scene, mut cloth) = curtain::<Q24, _>(resting(Lines::<9>::default()));
+    let (mut scene, mut cloth) = curtain::<Q24, _>(resting(Lines::default()));
     let mut memory = scene.memory();
     let middle = UNITS.point([0.15, 0.0, 0.15]);
     let camera = Camera::new(&View::new(0.0, 0.0).at(middle, UNITS.length(0.5)), Size::new(64, 64));

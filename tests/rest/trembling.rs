@@ -66,7 +66,7 @@ fn every_scene<S: Scalar>(failures: &mut Vec<String>) {
         let found = [
             ("xpbd", frames::<S, _>(scene, Xpbd)),
             ("verlet", frames::<S, _>(scene, Verlet { sweeps: 4 })),
-            ("lines", frames::<S, _>(scene, Lines::<6>::default())),
+            ("lines", frames::<S, _>(scene, Lines::default())),
         ];
         for (name, frames) in found {
             if frames.is_none() {

@@ -2,7 +2,7 @@
 
 use kerchief::{Bend, Drag, FacetWind, Gravity, Node, Resting, Scalar, Shear, Solver, Sphere, Vec3, measure};
 
-use crate::{DOWN, Described, SIDE, Sheet, Trial, UNITS, curtain, every_solver, resting, settle};
+use crate::{DOWN, Described, SIDE, Sheet, Springs, Trial, UNITS, curtain, every_solver, resting, settle};
 
 /// A change of the scene or the sheet, as it is made while they rest.
 type Change<S, V> = (&'static str, fn(&mut Described<S, Resting<V>>, &mut Sheet<S>));
@@ -43,7 +43,7 @@ struct Wakes;
 impl Trial for Wakes {
     fn with<S: Scalar, V: Solver<S> + Copy>(&self, name: &str, solver: V)
     where
-        V::Memory<SIDE, SIDE>: Clone,
+        V::Memory<Springs<S>, SIDE, SIDE>: Clone,
     {
         let (scene, mut cloth) = curtain::<S, _>(resting(solver));
         let mut memory = scene.memory();

@@ -27,7 +27,7 @@ fn blow<S: Scalar>(expected: u32) {
         Damped::new(Stretch::new(&UNITS, UNITS.stiffness(40.0)), UNITS.damping(1e-3)),
         Shear::new(&UNITS, UNITS.stiffness(2.0)),
     );
-    let scene = Scene::new(&UNITS, forces, links, (), Lines::<7>::default());
+    let scene = Scene::new(&UNITS, forces, links, (), Lines::default());
     let mut memory = scene.memory();
     let long = std::env::var_os("KERCHIEF_LONG").is_some();
     // of the free edge's middle: height and distance from the pole, their means over a minute, m

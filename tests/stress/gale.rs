@@ -34,7 +34,7 @@ fn every_solver<S: Scalar, const N: usize>(failures: &mut Vec<String>) {
             let reaches = [
                 ("xpbd", reach::<S, _, N>(Xpbd, speed, step)),
                 ("verlet", reach::<S, _, N>(Verlet { sweeps: 4 }, speed, step)),
-                ("lines", reach::<S, _, N>(Lines::<6>::default(), speed, step)),
+                ("lines", reach::<S, _, N>(Lines::default(), speed, step)),
                 ("backward Euler", reach::<S, _, N>(BackwardEuler { newton_steps: 2 }, speed, step)),
             ];
             // as far as the wind goes, three times; what is undefined is further

@@ -2,7 +2,7 @@
 //! 60 % (32 × 32) and many times over (64 × 64), and had more energy in the end than at first.
 
 use kerchief::{
-    Bend, Cloth, Drag, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Solver, Stretch, Units, Vec3, measure,
+    Bend, Cloth, Drag, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Stretch, Units, Vec3, measure,
 };
 
 const DOWN: [f64; 3] = [0.0, 0.0, -9.81];
@@ -31,7 +31,7 @@ struct Sheet {
 
 const FIRM: Sheet = Sheet { springs: [1e4, 1e3, 100.0], substeps: 1, seconds: 2.0, centre: false, hung: false };
 
-fn run<S: Scalar, const N: usize>(sheet: &Sheet, solver: Lines<4>) -> Outcome {
+fn run<S: Scalar, const N: usize>(sheet: &Sheet, solver: Lines) -> Outcome {
     let Sheet { springs, substeps, seconds, centre, hung } = *sheet;
     let mass = 0.2 / ((N - 1) * (N - 1)) as f64;
     let units = Units::sheet([N, N], [1.0, 1.0], mass, 1.0 / 60.0, substeps);
@@ -51,7 +51,7 @@ fn run<S: Scalar, const N: usize>(sheet: &Sheet, solver: Lines<4>) -> Outcome {
     let links = (Stretch::<S>::new(&units, stretch), Shear::new(&units, shear), Bend::new(&units, bend));
     let forces = (Gravity::new(units.acceleration(DOWN)), Drag::new(units.drag(2.0)));
     let scene = Scene::new(&units, forces, links, (), solver);
-    let mut memory = Box::new(Solver::<S>::memory::<N, N>(&scene.solver));
+    let mut memory = Box::new(scene.memory::<S, N, N>());
     let energy = |cloth: &Cloth<S, N, N>| {
         let moved = measure::kinetic_energy(cloth, &units) + measure::gravitational_energy(cloth, &units, DOWN);
         (moved + measure::elastic_energy(cloth, &units, &scene.links)) / (0.2 * 9.81)
@@ -144,7 +144,7 @@ fn sweeps_as_needed_strain_no_more_than_a_fixed_number() {
     [0, 31].into_iter().for_each(|column| cloth.pin(Node::new(column, 0)));
     let rigid = units.compliance(1e-8);
     let links = (Stretch::new(&units, rigid), Shear::new(&units, rigid), Bend::new(&units, rigid));
-    let scene = Scene::new(&units, Gravity::new(units.acceleration(DOWN)), links, (), Lines::<4>::with_sweeps(1));
+    let scene = Scene::new(&units, Gravity::new(units.acceleration(DOWN)), links, (), Lines::with_sweeps(1));
     let mut memory = scene.memory();
     for _ in 0..300 {
         scene.step(&mut cloth, &mut memory);

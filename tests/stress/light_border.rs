@@ -39,7 +39,7 @@ fn wind_does_not_throw_light_particles_back() {
                 cloth.hem(S::from_f64(hem));
             };
             for substeps in [4, 64] {
-                let strain = largest_strain(Lines::<4>::new(), substeps, light);
+                let strain = largest_strain(Lines::new(), substeps, light);
                 assert!(strain < 2.0, "{strain} by lines in {}: hem {hem}, {substeps} substeps", S::NAME);
                 let strain = largest_strain(Xpbd, substeps, light);
                 assert!(strain < 10.0, "{strain} by xpbd in {}: hem {hem}, {substeps} substeps", S::NAME);
@@ -49,9 +49,9 @@ fn wind_does_not_throw_light_particles_back() {
         let all = |cloth: &mut Cloth<S, SIDE, SIDE>| cloth.inverse_mass = Grid::filled(S::from_int(40));
         let inside = |cloth: &mut Cloth<S, SIDE, SIDE>| cloth.inverse_mass[Node::new(1, 2)] = S::from_int(40);
         for substeps in [4, 64] {
-            let strain = largest_strain(Lines::<4>::new(), substeps, all);
+            let strain = largest_strain(Lines::new(), substeps, all);
             assert!(strain < 2.0, "{strain} by lines in {}: all light, {substeps} substeps", S::NAME);
-            let strain = largest_strain(Lines::<4>::new(), substeps, inside);
+            let strain = largest_strain(Lines::new(), substeps, inside);
             assert!(strain < 2.0, "{strain} by lines in {}: one light, {substeps} substeps", S::NAME);
         }
     }

@@ -19,7 +19,7 @@ fn most<S: Scalar>(light: f64, [spring, damper]: [f64; 2]) -> f64 {
     let gravity = Gravity::new(UNITS.acceleration([-3.0, 8.0, -5.0]));
     let [stiffness, damping] = [spring * MASS / STEP / STEP, damper * MASS / STEP];
     let links = Damped::new(Stretch::new(&UNITS, UNITS.stiffness(stiffness)), UNITS.damping(damping));
-    let scene = Scene::new(&UNITS, gravity, links, (), Lines::<5>::default());
+    let scene = Scene::new(&UNITS, gravity, links, (), Lines::default());
     let mut memory = scene.memory();
     let mut most = 0.0_f64;
     for _ in 0..400 {

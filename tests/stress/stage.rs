@@ -45,7 +45,7 @@ pub(crate) struct Stage<S: Scalar, V: Solver<S>, const W: usize, const H: usize>
     pub(crate) units: Units,
     pub(crate) scene: Scene<Forces<S>, Links<S>, Sphere<S>, V>,
     pub(crate) cloth: Cloth<S, W, H>,
-    memory: V::Memory<W, H>,
+    memory: V::Memory<Links<S>, W, H>,
     random: u64,
 }
 

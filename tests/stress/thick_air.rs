@@ -11,7 +11,7 @@ fn left<S: Scalar>(density: f64, speed: f64) -> f64 {
     cloth.velocity.change(|_| Vec3::from_f64([0.0, 0.0, speed]));
     let air = AerodynamicWind::new(units.aerodynamic_wind([0.0; 3], density, 1.0));
     let scene = Scene::new(&units, air, (), (), Xpbd);
-    scene.step(&mut cloth, &mut ());
+    scene.step(&mut cloth, &mut scene.memory());
     cloth.velocity.values().map(|v| v.to_f64()[2] / speed).fold(0.0, f64::max)
 }
 

@@ -19,7 +19,7 @@ fn released<S: Scalar, const W: usize, const H: usize>(mass: f64, cells: f64, be
         cloth.position.set(node, Vec3::from_f64([k as f64 * cells, bend * (k * k) as f64, 0.0]));
     }
     cloth.pin(Node::new(0, 0));
-    let scene = Scene::new(&units, (), Stretch::new(&units, units.stiffness(1e6)), (), Lines::<4>::default());
+    let scene = Scene::new(&units, (), Stretch::new(&units, units.stiffness(1e6)), (), Lines::default());
     let mut memory = scene.memory();
     let mut furthest = 0.0_f64;
     for _ in 0..100 {

@@ -47,7 +47,7 @@ fn by_both<S: Scalar>(judge: &mut impl Judge) {
     const MANY: Units = units(8);
     const FEW: Units = units(2);
     run("XPBD, 8 substeps", &scene::<S, _>(&MANY, Xpbd), &MANY, judge);
-    run("lines, 2 substeps", &scene::<S, _>(&FEW, Lines::<4>::with_sweeps(1)), &FEW, judge);
+    run("lines, 2 substeps", &scene::<S, _>(&FEW, Lines::with_sweeps(1)), &FEW, judge);
 }
 
 /// A sheet under its weight.

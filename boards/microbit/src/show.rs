@@ -1,5 +1,6 @@
 //! What the LEDs show: a flag of 8 × 8 particles, brighter where it blows towards the viewer.
 
+use kerchief::solver::Stateless;
 use kerchief::{Cloth, Gravity, Node, Q13, Scalar, Scene, Shear, Stretch, Units, Xpbd};
 
 use crate::breeze::Breeze;
@@ -53,7 +54,7 @@ impl Show {
         let strength = UNIT * self.wind as i32;
         // it turns from side to side
         self.scene.forces.1.wind = [strength, (strength * swing(self.step)) >> 6, 0];
-        self.scene.step(&mut self.cloth, &mut ());
+        self.scene.step(&mut self.cloth, &mut Stateless::new());
     }
 
     /// How bright each LED is: the depth of the cloth before it, dark where there is none. Row 0 is the upper one.

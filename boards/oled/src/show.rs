@@ -80,7 +80,7 @@ pub struct Show {
     /// The curtain.
     pub cloth: Cloth<Q13, SIDE, SIDE>,
     scene: Scene<Forces, Springs, (), Mover>,
-    memory: <Mover as Solver<Q13>>::Memory<SIDE, SIDE>,
+    memory: <Mover as Solver<Q13>>::Memory<Springs, SIDE, SIDE>,
     /// How far gravity is tilted, in parts of `STEEPEST`.
     tilt: Stick,
     shaded: Shaded<Look<Fabric, Fabric>, SIDE, SIDE>,

@@ -116,7 +116,7 @@ pub struct Show {
     /// The flag or the cloth.
     pub cloth: Cloth<Q13, SIDE, SIDE>,
     scene: Scene<Forces, Springs, (), Mover>,
-    memory: <Mover as Solver<Q13>>::Memory<SIDE, SIDE>,
+    memory: <Mover as Solver<Q13>>::Memory<Springs, SIDE, SIDE>,
     play: Play,
     /// Steps since the play's start.
     step: u32,

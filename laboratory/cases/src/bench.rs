@@ -151,7 +151,7 @@ fn play<S: Scalar, B: Bench>(bench: &mut B) {
         "damped lines": FEW, gravity(&FEW), (
             Damped::new(stretch(&FEW), FEW.damping(20.0)),
             Damped::new(shear(&FEW), FEW.damping(20.0)),
-        ), (), Lines::<7>::with_sweeps(LINES.0.sweeps);
+        ), (), Lines::with_sweeps(LINES.0.sweeps);
         "xpbd, resting": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (), Resting::new(&MANY, NEVER, Xpbd);
         "xpbd, at rest": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (), Resting::new(&MANY, SOON, Xpbd);
     }

@@ -1,7 +1,7 @@
 //! Plays a scene in any number type by any solver. It needs nothing but the crate: a board can run it too.
 
 use kerchief::collider::Contact;
-use kerchief::link::Visitor;
+use kerchief::link::{Visitor, WithDampers};
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, ForwardEuler, Gravity,
     Leapfrog, Lines, Links, Moment, Node, Particles, Plane, Q13, Q24, Scalar, Scene, Shear, Solver, Sphere,
@@ -84,7 +84,7 @@ fn play<S: Scalar>(setup: &Setup, method: Method, frame: &mut dyn FnMut(u32)) ->
         Method::Verlet => run::<S, _>(setup, Verlet { sweeps: 3 }, &Pace { part: 1.5, substeps: 2, frames: 8 }, frame),
         Method::Leapfrog => run::<S, _>(setup, Leapfrog, &Pace { part: 1.0 / 16.0, substeps: 6, frames: 3 }, frame),
         Method::Xpbd => run::<S, _>(setup, Xpbd, &Pace { part: 1.5, substeps: 3, frames: 8 }, frame),
-        Method::Lines => run::<S, _>(setup, Lines::<9>::default(), &Pace { part: 1.5, substeps: 2, frames: 8 }, frame),
+        Method::Lines => run::<S, _>(setup, Lines::default(), &Pace { part: 1.5, substeps: 2, frames: 8 }, frame),
     }
 }
 
@@ -174,7 +174,8 @@ impl<S: Scalar> Held<S> {
 }
 
 impl<S: Scalar> Links<S> for Held<S> {
-    const DAMPED: bool = true;
+    type Directions = <Springs<S> as Links<S>>::Directions;
+    type Damping = WithDampers;
 
     fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
         self.springs.springs(visitor);

@@ -52,11 +52,11 @@ impl Pace {
 }
 
 /// A scene of the core, its sheet and its solver's memory.
-pub struct Rig<S: Scalar, V: Solver<S>, const W: usize, const H: usize, L = Springs<S>, C = ()> {
+pub struct Rig<S: Scalar, V: Solver<S>, const W: usize, const H: usize, L: Links<S> = Springs<S>, C = ()> {
     pub units: Units,
     pub scene: Scene<Forces<S>, L, C, V>,
     pub cloth: Cloth<S, W, H>,
-    pub memory: V::Memory<W, H>,
+    pub memory: V::Memory<L, W, H>,
 }
 
 impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Rig<S, V, W, H> {
@@ -70,10 +70,10 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Rig<S, V, W, H> {
 impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize, L: Links<S>, C: Collider<S>> Rig<S, V, W, H, L, C> {
     /// The same rig with other links made from its own.
     pub fn with_links<M: Links<S>>(self, links: impl FnOnce(&Units, L) -> M) -> Rig<S, V, W, H, M, C> {
-        let Self { units, scene, cloth, memory } = self;
+        let Self { units, scene, cloth, .. } = self;
         let Scene { forces, links: own, colliders, solver, .. } = scene;
         let scene = Scene::new(&units, forces, links(&units, own), colliders, solver);
-        Rig { units, scene, cloth, memory }
+        Rig { units, memory: scene.memory(), scene, cloth }
     }
 
     /// The same rig with something in the way.

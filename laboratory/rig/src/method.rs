@@ -2,7 +2,7 @@
 
 use kerchief::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Scalar, Solver, Verlet, Xpbd, measure};
 
-use super::{Pace, Rig};
+use super::{Pace, Rig, Springs};
 use crate::reference::{Model, State};
 
 /// A solver with its settings.
@@ -14,12 +14,8 @@ pub enum Method {
     /// With so many sweeps.
     Verlet(u32),
     Xpbd,
-    /// With the default memory and so many sweeps.
+    /// With so many sweeps.
     Lines(u32),
-    /// With memory for rows and columns only.
-    LinesForgetful,
-    /// With memory for stretch, shear and bend.
-    LinesMindful,
 }
 
 /// All solvers as most users run them.
@@ -62,9 +58,7 @@ pub fn moved<S: Scalar, const W: usize, const H: usize>(model: &Model, pace: Pac
         Method::Leapfrog => rig::<S, _, W, H>(model, pace, Leapfrog),
         Method::Verlet(sweeps) => rig::<S, _, W, H>(model, pace, Verlet { sweeps }),
         Method::Xpbd => rig::<S, _, W, H>(model, pace, Xpbd),
-        Method::Lines(sweeps) => rig::<S, _, W, H>(model, pace, Lines::<7>::with_sweeps(sweeps)),
-        Method::LinesForgetful => rig::<S, _, W, H>(model, pace, Lines::<5>::with_sweeps(1)),
-        Method::LinesMindful => rig::<S, _, W, H>(model, pace, Lines::<9>::with_sweeps(2)),
+        Method::Lines(sweeps) => rig::<S, _, W, H>(model, pace, Lines::with_sweeps(sweeps)),
     }
 }
 
@@ -74,7 +68,7 @@ fn rig<S: Scalar, V: Solver<S> + 'static, const W: usize, const H: usize>(
     solver: V,
 ) -> Box<dyn Motion>
 where
-    V::Memory<W, H>: 'static,
+    V::Memory<Springs<S>, W, H>: 'static,
 {
     Box::new(Rig::<S, V, W, H>::new(model, pace, solver))
 }

@@ -9,7 +9,7 @@ use crate::scalar::{Rest, Rounding};
 /// How products, quotients and links are computed, on the bits of numbers with 24 fraction bits.
 ///
 /// [`Exact`](super::Exact) and [`Short`](super::Short) are the two there are.
-pub trait Kernel: Copy + Debug + Default + Ord + Hash + 'static {
+pub trait Kernel: Copy + Debug + Default + Ord + Hash + Send + 'static {
     /// The type's name.
     const NAME: &'static str;
     /// The last place of an edge, cells.

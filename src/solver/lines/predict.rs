@@ -10,10 +10,10 @@ use crate::vec3::Vec3;
 use super::{History, Memory};
 
 /// Backward Euler without links: `v̂ = (v + gain)/(1 + γ·h)`, `x̂ = x + h·v̂`.
-pub(super) fn first_order<S: Scalar, F: Force<S>, const W: usize, const H: usize, const N: usize>(
+pub(super) fn first_order<S: Scalar, F: Force<S>, T, P, const W: usize, const H: usize>(
     forces: &F,
     particles: &mut Particles<S, W, H>,
-    memory: &mut Memory<S, W, H, N>,
+    memory: &mut Memory<S, T, P, W, H>,
     moment: Moment,
     split: u32,
 ) {
@@ -33,10 +33,10 @@ pub(super) fn first_order<S: Scalar, F: Force<S>, const W: usize, const H: usize
 }
 
 /// The second-order rule without links, `v̂ = (v + (v − v₋)/3 + (2/3)·gain)/(1 + (2/3)·γ·h)`, `x̂ = x + h·(4·v̂ + v + v₋)/6`.
-pub(super) fn second_order<S: Scalar, F: Force<S>, const W: usize, const H: usize, const N: usize>(
+pub(super) fn second_order<S: Scalar, F: Force<S>, T, P, const W: usize, const H: usize>(
     forces: &F,
     particles: &mut Particles<S, W, H>,
-    memory: &mut Memory<S, W, H, N>,
+    memory: &mut Memory<S, T, P, W, H>,
     moment: Moment,
     split: u32,
 ) {
@@ -116,9 +116,9 @@ impl<S: Scalar> Rule<S> {
 
 /// A row's positions and velocities at the substep's end, extrapolated from the last two substeps. Wind at its start would be of first order.
 #[inline]
-fn ahead<S: Scalar, const W: usize, const H: usize, const N: usize>(
+fn ahead<S: Scalar, T, P, const W: usize, const H: usize>(
     particles: &Particles<S, W, H>,
-    memory: &Memory<S, W, H, N>,
+    memory: &Memory<S, T, P, W, H>,
     row: usize,
     start: bool,
     moment: Moment,

@@ -1,7 +1,7 @@
 //! A sweep over all links of a scene.
 
 use crate::grid::Grid;
-use crate::link::{Family, Links, Quotient, Visitor};
+use crate::link::{Family, Links, Quotient, Visitor, directions};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::{Rounding, Scalar};
@@ -13,9 +13,6 @@ use super::pairs::Pairs;
 
 /// The binary logarithm of κ from which on diagonals are solved exactly: softer ones converge as fast one by one, which is cheaper.
 const STIFF: u32 = 5;
-
-/// The grids of multipliers of rows and columns.
-const LINES: usize = 2;
 
 /// Which families a visit is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -36,8 +33,6 @@ pub(super) struct Relax<'a, S, const W: usize, const H: usize> {
     pass: Pass,
     /// Whether no sweep of this substep went before.
     first: bool,
-    /// Whether rows and columns have been met in this pass.
-    met_lines: [bool; 2],
     /// The next family's grid of multipliers.
     slot: usize,
     /// The largest strain of a row that the sweep met.
@@ -69,8 +64,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
             softness,
             pass,
             first: true,
-            met_lines: [false; 2],
-            slot: LINES,
+            slot: 0,
             met,
             rounding,
             ordinary,
@@ -118,7 +112,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
     }
 
     fn pass<L: Links<S>>(&mut self, links: &L, pass: Pass) {
-        (self.pass, self.met_lines, self.slot) = (pass, [false; 2], LINES);
+        (self.pass, self.slot) = (pass, 0);
         links.springs(self);
     }
 
@@ -137,8 +131,6 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         if let Some([black, white]) = self.tension.get_mut(slot..slot + 2) {
             let worst = chain.diagonals(self.particles, [black, white]);
             self.met = self.met.max(worst * family.rest.inverse);
-        } else if self.first {
-            once(&chain, self.particles);
         }
     }
 
@@ -161,7 +153,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
             return self.diagonals(family, slot);
         }
         let pairs = Pairs::new(family, strength, self.moment, self.rounding, &self.ordinary.rows, self.heavy);
-        let memory = self.tension.get_mut(slot..slot + slots::<ACROSS, DOWN>());
+        let memory = self.tension.get_mut(slot..slot + directions::<ACROSS, DOWN>());
         // without a memory a second time would count twice
         if memory.is_none() && !self.first {
             return;
@@ -189,13 +181,8 @@ fn each<S: Scalar>(velocities: &mut [S], positions: &[S], change: impl Fn(S, S) 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Relax<'_, S, W, H> {
     #[inline]
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
-        // rows and columns, without which nothing holds, have the first grids, wherever a scene names them
-        let slot = if const { ACROSS + DOWN == 1 } && !core::mem::replace(&mut self.met_lines[DOWN], true) {
-            DOWN
-        } else {
-            self.slot += slots::<ACROSS, DOWN>();
-            self.slot - slots::<ACROSS, DOWN>()
-        };
+        let slot = self.slot;
+        self.slot += directions::<ACROSS, DOWN>();
         if const { ACROSS + DOWN == 1 } {
             match self.pass {
                 Pass::Others => {}
@@ -208,16 +195,4 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Relax<'_, S, W, H
             }
         }
     }
-}
-
-/// Solves diagonals that have no memory, apart so that others don't have its grids on their stack.
-#[inline(never)]
-fn once<S: Scalar, const W: usize, const H: usize>(chain: &Chain<S, W, H>, particles: &mut Particles<S, W, H>) {
-    let [mut black, mut white] = [Grid::filled(S::ZERO); 2];
-    chain.diagonals(particles, [&mut black, &mut white]);
-}
-
-/// The grids of multipliers of a family.
-const fn slots<const ACROSS: usize, const DOWN: usize>() -> usize {
-    if ACROSS > 0 && DOWN > 0 { 2 } else { 1 }
 }

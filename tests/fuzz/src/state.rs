@@ -89,7 +89,7 @@ fn step<S: Scalar>(bits: &[u32; NUMBERS], chosen: Option<u8>, number: fn(u32) ->
         })*};
     }
     each!(
-        0: Lines::<7>::with_sweeps(2),
+        0: Lines::with_sweeps(2),
         1: Xpbd,
         2: Verlet { sweeps: 3 },
         3: Leapfrog,

@@ -17,6 +17,7 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, RawU4};
 use embedded_graphics::pixelcolor::{Gray4, Rgb888};
 use embedded_graphics::prelude::*;
 use kerchief::render::{Camera, Light, Look, Shaded, View};
+use kerchief::solver::Stateless;
 use kerchief::{Cloth, Gravity, Lines, Node, Q24, Scene, Shear, Solver, Stretch, Units, Xpbd};
 use panic_semihosting as _;
 use static_cell::ConstStaticCell;
@@ -53,6 +54,9 @@ fn stack() -> [usize; 2] {
     [start - end - unused * size_of::<u32>(), start - end]
 }
 
+/// The links of every sheet.
+type Springs = (Stretch<Q24>, Shear<Q24>);
+
 /// Plays a sheet in a room of its own.
 macro_rules! play {
     ($name:literal: $side:literal, $substeps:literal, $kind:ty, $solver:expr, $memory:expr) => {{
@@ -61,7 +65,7 @@ macro_rules! play {
             View::new(20.0, 10.0).fit(UNITS.point([0.0, 0.0, 0.0]), UNITS.point([1.0, 0.1, 1.0]), SCREEN);
         // made where they stay: what is moved there is on the stack meanwhile
         static CLOTH: ConstStaticCell<Cloth<Q24, $side, $side>> = ConstStaticCell::new(Cloth::BLANK);
-        static MEMORY: ConstStaticCell<<$kind as Solver<Q24>>::Memory<$side, $side>> = ConstStaticCell::new($memory);
+        static MEMORY: ConstStaticCell<<$kind as Solver<Q24>>::Memory<Springs, $side, $side>> = ConstStaticCell::new($memory);
         static SHADED: ConstStaticCell<Shaded<Look<Rgb888, Rgb888>, $side, $side>> =
             ConstStaticCell::new(Shaded::new(look()));
         static PICTURE: ConstStaticCell<Picture> = ConstStaticCell::new(Picture::new());
@@ -89,9 +93,9 @@ macro_rules! play {
 #[cortex_m_rt::entry]
 fn main() -> ! {
     if let Some("lines") = option_env!("KERCHIEF_SCENE") {
-        play!("the line solver": 24, 1, Lines, Lines::with_sweeps(1), <Lines as Solver<Q24>>::Memory::BLANK);
+        play!("the line solver": 24, 1, Lines, Lines::with_sweeps(1), <Lines as Solver<Q24>>::Memory::<Springs, 24, 24>::BLANK);
     } else {
-        play!("XPBD": 32, 8, Xpbd, Xpbd, ());
+        play!("XPBD": 32, 8, Xpbd, Xpbd, Stateless::new());
     }
     hprintln!("end");
     debug::exit(debug::EXIT_SUCCESS);

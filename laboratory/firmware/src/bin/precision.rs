@@ -53,7 +53,7 @@ macro_rules! settings {
     };
 }
 
-fn lines(sweeps: u32, tolerance: f64) -> Lines<6> {
+fn lines(sweeps: u32, tolerance: f64) -> Lines {
     Lines::with_sweeps(sweeps).within(tolerance)
 }
 
