@@ -2,26 +2,24 @@
 
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
-use kerchief::material::{DENIM, Springs};
+use kerchief::material::DENIM;
 use kerchief::render::{Camera, Ground, Light, Look, Shaded, Shadow, View, pattern::CELL, pattern::Stripes};
-use kerchief::{Cloth, Drag, Gravity, Lines, Node, Scene, Shear, Stretch, Units};
+use kerchief::{Lines, Node, Sheet, Units};
 
 const SIDE: usize = 24;
-const UNITS: Units = DENIM.units([SIDE, SIDE], [0.6, 0.6], 1.0 / 60.0, 8); // particles, m, s, substeps
-const SPRINGS: Springs = DENIM.springs(&UNITS, 0.5);
+const SHEET: Sheet<f32, SIDE, SIDE> = Sheet::of(&DENIM, [0.6, 0.6], 1.0 / 60.0, 8); // m, s, substeps
+const UNITS: Units = SHEET.units;
 const SCREEN: Size = Size::new(480, 480);
 const VIEW: View = View::new(30.0, 15.0).fit(UNITS.point([-0.1, -0.3, -0.1]), UNITS.point([0.7, 0.6, 0.7]), SCREEN);
 const BLUE: [Rgb888; 2] = [Rgb888::new(60, 84, 130), Rgb888::new(42, 60, 98)];
 
 fn main() {
-    let mut cloth = Cloth::<f32, SIDE, SIDE>::lay(&UNITS, UNITS.point([0.0, 0.0, 0.65]));
+    let mut cloth = SHEET.lay([0.0, 0.0, 0.65]);
     cloth.share_area();
     cloth.pin(Node::new(0, 0));
     cloth.pin(Node::new(SIDE - 1, 0));
-    let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), Drag::new(UNITS.drag(0.5)));
-    let stretch = Stretch::new(&UNITS, UNITS.stiffness(SPRINGS.stretch));
-    let links = (stretch, Shear::new(&UNITS, UNITS.stiffness(SPRINGS.shear)));
-    let scene = Scene::new(&UNITS, forces, links, (), Lines::new());
+    let forces = (SHEET.gravity([0.0, 0.0, -9.81]), SHEET.drag(0.5));
+    let scene = SHEET.scene(forces, SHEET.springs(&DENIM, 0.5), (), Lines::new());
     let mut memory = scene.memory();
     for _frame in 0..150 {
         scene.step(&mut cloth, &mut memory);

@@ -1,17 +1,16 @@
 //! A kerchief falls between two pins, drawn in the terminal with letters: `cargo run --example hello`.
 
-use kerchief::{Cloth, Gravity, Lines, Node, Q24, Scene, Shear, Stretch, Units};
+use kerchief::{Cloth, Lines, Node, Q24, Sheet};
 
 const SIDE: usize = 16;
-const UNITS: Units = Units::sheet([SIDE, SIDE], [0.3, 0.3], 1e-4, 1.0 / 60.0, 8); // particles, m, kg, s, substeps
+const SHEET: Sheet<Q24, SIDE, SIDE> = Sheet::new([0.3, 0.3], 1e-4, 1.0 / 60.0, 8); // m, kg of a particle, s, substeps
 
 fn main() {
-    let mut cloth = Cloth::<Q24, SIDE, SIDE>::lay(&UNITS, UNITS.point([0.0; 3]));
+    let mut cloth = SHEET.lay([0.0; 3]);
     cloth.pin(Node::new(0, 0));
     cloth.pin(Node::new(SIDE - 1, 0));
-    let gravity = Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81]));
-    let links = (Stretch::new(&UNITS, UNITS.stiffness(100.0)), Shear::new(&UNITS, UNITS.stiffness(1.0)));
-    let scene = Scene::new(&UNITS, gravity, links, (), Lines::new());
+    let (gravity, links) = (SHEET.gravity([0.0, 0.0, -9.81]), (SHEET.stretch(100.0), SHEET.shear(1.0)));
+    let scene = SHEET.scene(gravity, links, (), Lines::new());
     let mut memory = scene.memory();
     for frame in 0..=60 {
         if frame % 12 == 0 {

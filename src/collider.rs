@@ -4,6 +4,7 @@
 //! coefficient on the displacement along the surface. `()` is nothing in the way; a tuple, a slice or a `heapless::Vec` is all of its members.
 
 mod capsule;
+mod moving;
 mod plane;
 mod sphere;
 
@@ -16,6 +17,7 @@ use crate::units::Length;
 use crate::vec3::Vec3;
 
 pub use capsule::Capsule;
+pub use moving::Moving;
 pub use plane::Plane;
 pub use sphere::Sphere;
 
@@ -48,6 +50,20 @@ pub trait Collider<S: Scalar> {
         print.unknown();
     }
 }
+
+/// A collider that stays where it is while a scene is stepped: its [`advance`](Collider::advance) does nothing.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` may move, and a step leaves it where it is",
+    note = "`scene.play(..)` steps a sheet and moves on what moves; several sheets among the same colliders make a `step_one` each before `scene.advance()`"
+)]
+pub trait Stationary {}
+
+impl Stationary for () {}
+impl<S> Stationary for Sphere<S> {}
+impl<S> Stationary for Plane<S> {}
+impl<S> Stationary for Capsule<S> {}
+impl<T: Stationary> Stationary for [T] {}
+impl<T: Stationary, const N: usize> Stationary for heapless::Vec<T, N> {}
 
 /// Where a particle meets a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -263,6 +279,8 @@ fn then<S: Scalar, T: Collider<S>>(
 
 macro_rules! tuple {
     ($($name:ident),+) => {
+        impl<$($name: Stationary),+> Stationary for ($($name,)+) {}
+
         impl<S: Scalar, $($name: Collider<S>),+> Collider<S> for ($($name,)+) {
             #[inline]
             fn is_present(&self) -> bool {

@@ -8,14 +8,14 @@
 //! ```
 //! use kerchief::*;
 //!
-//! const UNITS: Units = Units::sheet([16, 16], [0.3, 0.3], 1e-4, 1.0 / 60.0, 8); // particles, m, kg, s, substeps
+//! const SHEET: Sheet<Q24, 16, 16> = Sheet::new([0.3, 0.3], 1e-4, 1.0 / 60.0, 8); // m, kg of a particle, s, substeps
 //!
-//! let mut cloth = Cloth::<Q24, 16, 16>::hang(&UNITS, UNITS.point([0.0, 0.0, 0.3]));
+//! let mut cloth = SHEET.hang([0.0, 0.0, 0.3]);
 //! cloth.pin(Node::new(0, 0));
 //! cloth.pin(Node::new(15, 0));
-//! let gravity = Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81]));
-//! let links = (Stretch::new(&UNITS, UNITS.stiffness(100.0)), Shear::new(&UNITS, UNITS.stiffness(1.0)));
-//! let scene = Scene::new(&UNITS, gravity, links, (), Lines::new());
+//! let gravity = SHEET.gravity([0.0, 0.0, -9.81]);
+//! let links = (SHEET.stretch(100.0), SHEET.shear(1.0));
+//! let scene = SHEET.scene(gravity, links, (), Lines::new());
 //! let mut memory = scene.memory();
 //! for _frame in 0..60 {
 //!     scene.step(&mut cloth, &mut memory);
@@ -26,7 +26,7 @@
 //! `examples/hello.rs` draws this sheet in a terminal, `examples/draw.rs` a denim one as a picture. On a host [scene files](host#the-file) describe sheets without a
 //! line of Rust (feature `std`).
 //!
-//! Another number type is another name in `Cloth::<Q24, …>`; another solver is another last argument; a wind is one more member of a tuple.
+//! Another number type is another name in `Sheet<Q24, …>`; another solver is another last argument; a wind is one more member of a tuple.
 //!
 //! # In which order to read
 //!
@@ -45,6 +45,7 @@
 //! | [`solver`] | the ways to move it |
 //! | [`rest`] | when nothing moves, nothing is computed |
 //! | [`scene`] | the description, and the step |
+//! | [`sheet`] | size, number type and units said once; the way in |
 //! | [`measure`] | strain, energy, momentum, digest |
 //! | `render` | drawing on any `embedded-graphics` display (feature `graphics`) |
 //! | [`host`] | scene files, for programs on a host (feature `std`) |
@@ -80,13 +81,14 @@ pub mod render;
 pub mod rest;
 pub mod scalar;
 pub mod scene;
+pub mod sheet;
 pub mod solver;
 pub mod units;
 pub mod vec3;
 pub mod vectors;
 
 pub use cloth::Cloth;
-pub use collider::{Capsule, Collider, Plane, Sphere};
+pub use collider::{Capsule, Collider, Moving, Plane, Sphere};
 pub use force::{AerodynamicWind, Drag, FacetWind, Force, Gravity};
 pub use grid::{Grid, Node};
 pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
@@ -96,6 +98,7 @@ pub use particles::Particles;
 pub use rest::{Resting, Stillness};
 pub use scalar::{Fixed24, Q13, Q24, Scalar};
 pub use scene::Scene;
+pub use sheet::Sheet;
 pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Solver, Verlet, Xpbd};
 pub use units::{Point, Units};
 pub use vec3::Vec3;

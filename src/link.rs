@@ -167,7 +167,10 @@ pub(crate) fn check<S: Scalar, L: Links<S>>(links: &L) {
     let (mut springs, mut dampers) = (Shown(0), Shown(0));
     links.springs(&mut springs);
     links.dampers(&mut dampers);
-    assert!(springs.0 <= L::Directions::NUMBER, "links show more directions than `Directions` says; a scene has 24 at most");
+    assert!(
+        springs.0 <= L::Directions::NUMBER,
+        "links show more directions than `Directions` says; a scene has 24 at most"
+    );
     assert!(dampers.0 == 0 || L::Damping::ANY, "links show dampers, and `Damping` says `Undamped`");
 }
 

@@ -1,7 +1,9 @@
 //! The description of what happens to a sheet, and the step.
 
+use core::marker::PhantomData;
+
 use crate::cloth::Cloth;
-use crate::collider::Collider;
+use crate::collider::{Collider, Stationary};
 use crate::force::Force;
 use crate::grid::Node;
 use crate::link::{self, Links};
@@ -15,8 +17,10 @@ use crate::vec3::Vec3;
 ///
 /// A scene is configuration, and one scene moves many sheets; what changes with a sheet is in its [`Cloth`] and in the solver's memory. Slots
 /// that a scene doesn't need are `()` and cost nothing.
+///
+/// `G` says which sheets it is for: [those of one kind](Only) if a [`Sheet`](crate::Sheet) made it.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<F, L, C, V> {
+pub struct Scene<F, L, C, V, G = Any> {
     /// What pulls from outside.
     pub forces: F,
     /// What holds particles together.
@@ -27,7 +31,22 @@ pub struct Scene<F, L, C, V> {
     pub solver: V,
     substeps: u32,
     shift: u32,
+    sheets: PhantomData<G>,
 }
+
+/// The sheets that a scene is for.
+pub trait Kind<S, const W: usize, const H: usize> {}
+
+/// Sheets of any size, in the number type of the scene's parts.
+#[derive(Clone, Copy, Debug)]
+pub enum Any {}
+
+/// Sheets of `W` × `H` particles in numbers of type `S`.
+#[derive(Clone, Copy, Debug)]
+pub struct Only<S, const W: usize, const H: usize>(PhantomData<fn() -> S>);
+
+impl<S, const W: usize, const H: usize> Kind<S, W, H> for Any {}
+impl<S, const W: usize, const H: usize> Kind<S, W, H> for Only<S, W, H> {}
 
 impl<F, L, C, V> Scene<F, L, C, V> {
     /// A scene in these units.
@@ -36,8 +55,16 @@ impl<F, L, C, V> Scene<F, L, C, V> {
     /// At compile time in a constant: for units that were put together by hand, of no substeps or more than 2²⁴.
     #[track_caller]
     pub const fn new(units: &Units, forces: F, links: L, colliders: C, solver: V) -> Self {
+        Self::of(units, forces, links, colliders, solver)
+    }
+}
+
+impl<F, L, C, V, G> Scene<F, L, C, V, G> {
+    #[track_caller]
+    pub(crate) const fn of(units: &Units, forces: F, links: L, colliders: C, solver: V) -> Self {
         units.check_substeps();
-        Self { forces, links, colliders, solver, substeps: units.substeps, shift: units.shift() }
+        let (substeps, shift) = (units.substeps, units.shift());
+        Self { forces, links, colliders, solver, substeps, shift, sheets: PhantomData }
     }
 
     /// The solver's memory for a sheet at the start of its motion.
@@ -49,25 +76,60 @@ impl<F, L, C, V> Scene<F, L, C, V> {
     where
         L: Links<S>,
         V: Solver<S>,
+        G: Kind<S, W, H>,
     {
         link::check(&self.links);
         self.solver.memory()
     }
 
-    /// Moves `cloth` by one frame. Cannot fail.
+    /// Moves `cloth` by one frame among colliders that stay where they are. Cannot fail.
     pub fn step<S, const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, memory: &mut V::Memory<L, W, H>)
     where
         S: Scalar,
         F: Force<S>,
         L: Links<S>,
+        C: Collider<S> + Stationary,
+        V: Solver<S>,
+        G: Kind<S, W, H>,
+    {
+        self.step_one(cloth, memory);
+    }
+
+    /// Moves `cloth` by one frame, and the colliders on to its end. Cannot fail.
+    pub fn play<S, const W: usize, const H: usize>(
+        &mut self,
+        cloth: &mut Cloth<S, W, H>,
+        memory: &mut V::Memory<L, W, H>,
+    ) where
+        S: Scalar,
+        F: Force<S>,
+        L: Links<S>,
         C: Collider<S>,
         V: Solver<S>,
+        G: Kind<S, W, H>,
+    {
+        self.step_one(cloth, memory);
+        self.advance();
+    }
+
+    /// Moves one of several sheets by a frame. After the last of them the colliders [advance](Self::advance).
+    pub fn step_one<S, const W: usize, const H: usize>(
+        &self,
+        cloth: &mut Cloth<S, W, H>,
+        memory: &mut V::Memory<L, W, H>,
+    ) where
+        S: Scalar,
+        F: Force<S>,
+        L: Links<S>,
+        C: Collider<S>,
+        V: Solver<S>,
+        G: Kind<S, W, H>,
     {
         let Self { forces, links, colliders, solver, .. } = self;
         solver.frame(Physics { forces, links, colliders }, cloth, memory, self.end());
     }
 
-    /// Moves the colliders on to the end of a frame: call it after all sheets have made their step.
+    /// Moves the colliders on to the end of a frame, once all sheets have made their [step](Self::step_one).
     pub fn advance<S: Scalar>(&mut self)
     where
         C: Collider<S>,

@@ -1,19 +1,19 @@
 //! A ball.
 
-use crate::collider::{Collider, Contact, check_friction, gap, reach};
+use crate::collider::{Collider, Contact, Moving, check_friction, gap, reach};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
 use crate::units::{Length, Point, Velocity};
 use crate::vec3::Vec3;
 
-/// A ball that rests or moves at a constant velocity.
+/// A ball at rest; [`with_velocity`](Self::with_velocity) lets it move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere<S> {
     /// Its centre at the start of the frame, cells.
     pub centre: Vec3<S>,
-    /// Its velocity, cells per tick. In fixed point a ball stops at the end of the range, where it has no room for another tick.
-    pub velocity: Vec3<S>,
+    /// Its velocity, cells per tick.
+    pub(super) velocity: Vec3<S>,
     /// Coulomb's coefficient of friction.
     pub friction: S,
     /// Radius and margin together, cells.
@@ -48,8 +48,8 @@ impl<S: Scalar> Sphere<S> {
     /// If the velocity doesn't [fit](Velocity::fits) the number type.
     #[must_use]
     #[track_caller]
-    pub fn with_velocity(self, velocity: Velocity) -> Self {
-        Self { velocity: Vec3::from_f64(velocity.fits::<S>().0), ..self }
+    pub fn with_velocity(self, velocity: Velocity) -> Moving<Self> {
+        Moving::new(self, velocity)
     }
 }
 

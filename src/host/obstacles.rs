@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::description::{Description, Surface};
 use super::error::SceneError;
 use super::fit::Fit;
-use crate::collider::{Capsule, Collider, Contact, Plane, Sphere};
+use crate::collider::{Capsule, Collider, Contact, Moving, Plane, Sphere};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -32,7 +32,7 @@ impl<S: Scalar> Obstacles<S> for () {
 /// Something in the sheet's way.
 #[derive(Debug)]
 enum Obstacle<S> {
-    Sphere(Sphere<S>),
+    Sphere(Moving<Sphere<S>>),
     Plane(Plane<S>),
     Capsule(Capsule<S>),
 }

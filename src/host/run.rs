@@ -223,8 +223,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S
 
 impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<P, S, W, H> {
     fn frame(&mut self) {
-        self.scene.step(&mut self.cloth, &mut self.memory);
-        self.scene.advance::<S>();
+        self.scene.play(&mut self.cloth, &mut self.memory);
         // a sheet at rest is where it was
         if !self.memory.is_at_rest() {
             self.range.look(&mut self.cloth.position.values());

@@ -33,6 +33,19 @@ pub struct BackwardEuler {
     pub newton_steps: u32,
 }
 
+impl BackwardEuler {
+    /// One Newton step.
+    pub const fn new() -> Self {
+        Self { newton_steps: 1 }
+    }
+}
+
+impl Default for BackwardEuler {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 /// The five vectors of Newton's method and conjugate gradients.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<S, const W: usize, const H: usize> {

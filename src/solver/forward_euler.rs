@@ -18,6 +18,13 @@ use crate::vectors::Vectors;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ForwardEuler;
 
+impl ForwardEuler {
+    /// Forward Euler.
+    pub const fn new() -> Self {
+        Self
+    }
+}
+
 impl<S: Scalar> Solver<S> for ForwardEuler {
     /// The force on every particle.
     type Memory<L: Links<S>, const W: usize, const H: usize> = Vectors<S, W, H>;

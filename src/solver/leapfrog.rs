@@ -19,6 +19,13 @@ use crate::vectors::Vectors;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Leapfrog;
 
+impl Leapfrog {
+    /// Leapfrog.
+    pub const fn new() -> Self {
+        Self
+    }
+}
+
 /// The force on every particle, and its velocity at the start of a substep.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<S, const W: usize, const H: usize> {

@@ -19,7 +19,14 @@ use crate::vec3::Vec3;
 pub(super) fn go<S: Scalar, L: Links<S>>(moment: Moment) -> impl Fn(Vec3<S>, Vec3<S>) -> [Vec3<S>; 2] {
     move |position, velocity| {
         let position = position + moment.displacement(velocity);
-        [position, if L::Directions::NUMBER > 0 && !S::FLOATS { velocity - position.map(|x| moment.share(x)) } else { velocity }]
+        [
+            position,
+            if L::Directions::NUMBER > 0 && !S::FLOATS {
+                velocity - position.map(|x| moment.share(x))
+            } else {
+                velocity
+            },
+        ]
     }
 }
 

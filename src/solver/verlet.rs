@@ -20,6 +20,19 @@ pub struct Verlet {
     pub sweeps: u32,
 }
 
+impl Verlet {
+    /// Fifteen sweeps, as in the thesis.
+    pub const fn new() -> Self {
+        Self { sweeps: 15 }
+    }
+}
+
+impl Default for Verlet {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl<S: Scalar> Solver<S> for Verlet {
     /// Nothing.
     type Memory<L: Links<S>, const W: usize, const H: usize> = Stateless<S, W, H>;

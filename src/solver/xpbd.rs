@@ -15,6 +15,13 @@ use crate::vec3::Vec3;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Xpbd;
 
+impl Xpbd {
+    /// One sweep in a substep.
+    pub const fn new() -> Self {
+        Self
+    }
+}
+
 impl<S: Scalar> Solver<S> for Xpbd {
     /// Nothing.
     type Memory<L: Links<S>, const W: usize, const H: usize> = Stateless<S, W, H>;

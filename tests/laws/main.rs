@@ -6,3 +6,4 @@ mod contact;
 mod dampers;
 mod falling;
 mod symmetry;
+mod wrappers;

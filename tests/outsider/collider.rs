@@ -1,12 +1,14 @@
 //! An outsider's collider: a bowl, the inside of a sphere.
 
-use kerchief::collider::Contact;
+use kerchief::collider::{Contact, Stationary};
 use kerchief::{Cloth, Collider, Gravity, Moment, Q24, Scalar, Scene, Units, Vec3, Xpbd, measure};
 
 struct Bowl<S> {
     /// Around the origin, cells.
     radius: S,
 }
+
+impl<S> Stationary for Bowl<S> {}
 
 impl<S: Scalar> Collider<S> for Bowl<S> {
     fn contact(&self, _moment: Moment, position: Vec3<S>, _moved: Vec3<S>) -> Option<Contact<S>> {
@@ -19,7 +21,7 @@ impl<S: Scalar> Collider<S> for Bowl<S> {
 }
 
 /// The lowest particle of a loose heap and the farthest from the origin, cells, at any frame of two seconds.
-fn fall<S: Scalar>(bowl: impl Collider<S>) -> [f64; 2] {
+fn fall<S: Scalar>(bowl: impl Collider<S> + Stationary) -> [f64; 2] {
     let units = Units::sheet([4, 4], [0.3, 0.3], 1e-3, 0.02, 4);
     let mut cloth = Cloth::<S, 4, 4>::lay(&units, units.point([0.1, -0.2, 0.0]));
     let gravity = Gravity::new(units.acceleration([0.0, 0.0, -9.81]));

@@ -1,6 +1,6 @@
 //! An outsider's family of links: springs and dampers to where a chess knight goes.
 
-use kerchief::link::{Directions, Family, Links, Quotient, Visitor, WithDampers};
+use kerchief::link::{Directions, Family, Links, Quotient, Undamped, Visitor, WithDampers};
 use kerchief::scalar::Rest;
 use kerchief::{Cloth, Grid, Leapfrog, Scalar, Scene, Units, Vec3, measure};
 
@@ -106,4 +106,46 @@ fn dampers_of_ones_own_take_energy_and_keep_momentum() {
     (0..3).for_each(|k| assert!((before[k] - after[k]).abs() < 1e-15, "momentum {before:?} became {after:?}"));
     let strain = measure::strain(&end, &Knight::new(&units, 20.0, 0.0));
     assert!(strain.largest < 1e-2, "{strain:?}");
+}
+
+/// Links that show more than their type says.
+struct Modest<S: Scalar>(Knight<S>);
+
+impl<S: Scalar> Links<S> for Modest<S> {
+    type Directions = Directions<3>;
+    type Damping = Undamped;
+
+    fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
+        self.0.springs(visitor);
+    }
+}
+
+/// Links that show dampers and say that there are none.
+struct Secret<S: Scalar>(Knight<S>);
+
+impl<S: Scalar> Links<S> for Secret<S> {
+    type Directions = Directions<4>;
+    type Damping = Undamped;
+
+    fn springs<V: Visitor<S>>(&self, visitor: &mut V) {
+        self.0.springs(visitor);
+    }
+
+    fn dampers<V: Visitor<S>>(&self, visitor: &mut V) {
+        self.0.dampers(visitor);
+    }
+}
+
+#[test]
+#[should_panic = "links show more directions than `Directions` says"]
+fn links_that_show_too_much_are_refused() {
+    let units = units();
+    Scene::new(&units, (), Modest(Knight::new(&units, 20.0, 0.0)), (), Leapfrog).memory::<f64, 6, 5>();
+}
+
+#[test]
+#[should_panic = "links show dampers, and `Damping` says `Undamped`"]
+fn dampers_that_are_not_declared_are_refused() {
+    let units = units();
+    Scene::new(&units, (), Secret(Knight::new(&units, 20.0, 0.1)), (), Leapfrog).memory::<f64, 6, 5>();
 }

@@ -10,8 +10,8 @@ mod wake;
 
 use kerchief::rest::Memory;
 use kerchief::{
-    BackwardEuler, Bend, Cloth, Damped, Drag, Gravity, Leapfrog, Lines, Node, Q13, Q24, Resting, Scalar, Scene, Shear,
-    Solver, Sphere, Stillness, Stretch, Units, Vec3, Verlet, Xpbd,
+    BackwardEuler, Bend, Cloth, Damped, Drag, Gravity, Leapfrog, Lines, Moving, Node, Q13, Q24, Resting, Scalar, Scene,
+    Shear, Solver, Sphere, Stillness, Stretch, Units, Vec3, Verlet, Xpbd,
 };
 
 /// Particles a side.
@@ -21,7 +21,7 @@ const DOWN: [f64; 3] = [0.0, 0.0, -9.81];
 
 type Forces<S> = (Gravity<S>, Drag<S>, Option<kerchief::FacetWind<S>>);
 type Springs<S> = (Damped<Stretch<S>, S>, Shear<S>, Bend<S>);
-type Described<S, V> = Scene<Forces<S>, Springs<S>, Sphere<S>, V>;
+type Described<S, V> = Scene<Forces<S>, Springs<S>, Moving<Sphere<S>>, V>;
 type Sheet<S> = Cloth<S, SIDE, SIDE>;
 
 /// A curtain under gravity and drag, with a ball beside it, and its start.
@@ -35,6 +35,7 @@ fn curtain<S: Scalar, V: Solver<S>>(solver: V) -> (Described<S, V>, Sheet<S>) {
     let stretch = Damped::new(Stretch::new(&UNITS, UNITS.stiffness(50.0)), UNITS.damping(0.01));
     let links = (stretch, Shear::new(&UNITS, UNITS.stiffness(5.0)), Bend::new(&UNITS, UNITS.stiffness(1.0)));
     let ball = Sphere::new(UNITS.point([0.15, 0.4, 0.1]), UNITS.length(0.1), UNITS.length(0.01));
+    let ball = ball.with_velocity(UNITS.velocity([0.0; 3]));
     (Scene::new(&UNITS, forces, links, ball, solver), cloth)
 }
 
@@ -72,7 +73,7 @@ fn settle<S: Scalar, V: Solver<S>>(
     most: u32,
 ) -> Option<u32> {
     (1..=most).find(|_| {
-        scene.step(cloth, memory);
+        scene.step_one(cloth, memory);
         memory.is_at_rest()
     })
 }

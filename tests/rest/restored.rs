@@ -31,8 +31,8 @@ fn wakes(scene: &Curtain, cloth: &mut Sheet<Q24>, memory: &mut Remembered) -> bo
     alone.forces = scene.forces;
     let before = measure::digest(cloth);
     let mut twin = *cloth;
-    alone.step(&mut twin, &mut Stateless::new());
-    scene.step(cloth, memory);
+    alone.step_one(&mut twin, &mut Stateless::new());
+    scene.step_one(cloth, memory);
     let after = measure::digest(cloth);
     assert!(memory.is_at_rest() || after == measure::digest(&twin), "moved otherwise");
     assert!(!memory.is_at_rest() || after == before, "moved at rest");
@@ -64,7 +64,7 @@ fn a_sheet_that_another_solver_moved_wakes() {
     let (scene, mut cloth, mut memory) = at_rest();
     let (mut other, _) = curtain::<Q24, _>(Lines::default());
     other.forces.0 = Gravity::new(UNITS.acceleration([1.0, 0.0, DOWN[2]]));
-    other.step(&mut cloth, &mut other.memory::<Q24, SIDE, SIDE>());
+    other.step_one(&mut cloth, &mut other.memory::<Q24, SIDE, SIDE>());
     assert!(wakes(&scene, &mut cloth, &mut memory));
     // another one that rests, too
     let (scene, mut cloth, mut memory) = at_rest();

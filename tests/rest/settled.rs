@@ -22,18 +22,18 @@ impl Trial for KeepsItsBits {
         let frames = settle(&scene, &mut cloth, &mut memory, MINUTE);
         let frames = frames.unwrap_or_else(|| panic!("{name} in {} never rests", S::NAME));
         for _ in 0..frames {
-            alone.step(&mut twin, &mut twin_memory);
+            alone.step_one(&mut twin, &mut twin_memory);
         }
         let digest = measure::digest(&cloth);
         assert_eq!(digest, measure::digest(&twin), "{name} in {}: not moved as without rest", S::NAME);
         assert!(measure::kinetic_energy(&cloth, &UNITS) < 1e-4 * start, "{name} in {}: rests too early", S::NAME);
         for _ in 0..100 {
-            scene.step(&mut cloth, &mut memory);
+            scene.step_one(&mut cloth, &mut memory);
             assert!(memory.is_at_rest() && measure::digest(&cloth) == digest, "{name} in {} moves", S::NAME);
         }
         // it had arrived: in a further quarter of a minute the same sheet goes nowhere without rest
         for _ in 0..MINUTE / 4 {
-            alone.step(&mut twin, &mut twin_memory);
+            alone.step_one(&mut twin, &mut twin_memory);
         }
         let apart = cloth.position.values().zip(twin.position.values()).map(|(a, b)| (a - b).length().to_f64());
         let apart = apart.fold(0.0, f64::max) * UNITS.cell;

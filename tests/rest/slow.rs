@@ -61,13 +61,8 @@ fn frames_at_rest<S: Scalar>(amplitude: f64) -> u32 {
     // a plate of length ℓ on an edge swings like a pendulum of length ⅔·ℓ
     const PERIOD: f64 = 6.0;
     let weight = (core::f64::consts::TAU / PERIOD).powi(2) * 0.2;
-    let scene = Scene::new(
-        &UNITS,
-        gravity::<S>(weight),
-        springs::<S>(),
-        (),
-        Resting::new(&UNITS, STILL, Lines::default()),
-    );
+    let scene =
+        Scene::new(&UNITS, gravity::<S>(weight), springs::<S>(), (), Resting::new(&UNITS, STILL, Lines::default()));
     let mut cloth = Sheet::<S>::hang(&UNITS, UNITS.point([0.0; 3]));
     (0..4).for_each(|column| cloth.pin(Node::new(column, 0)));
     for row in 1..4 {
@@ -97,8 +92,7 @@ fn slow_hands_are_followed<S: Scalar>() {
     let ball = Sphere::new(UNITS.point([0.1, 0.061, -0.2]), UNITS.length(0.05), UNITS.length(0.01));
     let ball = ball.with_velocity(UNITS.velocity([0.0, -slow, 0.0]));
     let forces = (gravity::<S>(9.81), Drag::new(UNITS.drag(4.0)));
-    let mut scene =
-        Scene::new(&UNITS, forces, springs::<S>(), ball, Resting::new(&UNITS, STILL, Lines::default()));
+    let mut scene = Scene::new(&UNITS, forces, springs::<S>(), ball, Resting::new(&UNITS, STILL, Lines::default()));
     let mut cloth = Sheet::<S>::hang(&UNITS, UNITS.point([0.0; 3]));
     (0..4).for_each(|column| cloth.pin(Node::new(column, 0)));
     let mut memory = scene.memory();
@@ -106,8 +100,7 @@ fn slow_hands_are_followed<S: Scalar>() {
     let velocity = Vec3::from_f64(UNITS.velocity([slow, 0.0, 0.0]).0);
     cloth.velocity.set(Node::new(0, 0), velocity);
     for _ in 0..3600 {
-        scene.step(&mut cloth, &mut memory);
-        scene.advance::<S>();
+        scene.play(&mut cloth, &mut memory);
     }
     let travelled = (cloth.position.at(Node::new(0, 0)).to_f64()[0] - corner[0]) * UNITS.cell;
     assert!((travelled / (60.0 * slow) - 1.0).abs() < 0.02, "the pin went {travelled} m in {}", S::NAME);

@@ -49,7 +49,7 @@ fn a_still_picture_sends_nothing() {
     let mut frame = |scene: &_, display: &mut Counting| {
         let scene: &crate::Described<Q24, _> = scene;
         let before = memory.is_at_rest();
-        scene.step(&mut cloth, &mut memory);
+        scene.step_one(&mut cloth, &mut memory);
         let still = before && memory.is_at_rest();
         if !still {
             let Ok(()) = canvas.erase(Rgb565::BLACK);

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use kerchief::{
-    AerodynamicWind, BackwardEuler, FacetWind, Lines, Node, Q13, Q24, Scalar, Solver, Sphere, Vec3, Verlet, Xpbd,
+    AerodynamicWind, BackwardEuler, FacetWind, Lines, Node, Q13, Q24, Scalar, Solver, Sphere, Verlet, Xpbd,
 };
 
 use crate::ordeal::{Ordeal, all};
@@ -59,12 +59,13 @@ impl Ordeal for Fired {
         // through: it stops where nothing of it is left to be met
         let units = stage.units;
         if stage.scene.colliders.centre.y.to_f64() * units.cell > 2.0 {
-            stage.scene.colliders.velocity = Vec3::ZERO;
+            stage.scene.colliders.turn(units.velocity([0.0; 3]));
         }
     }
     fn end<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(&self, stage: &mut Stage<S, V, W, H>) {
         let units = stage.units;
-        stage.scene.colliders = Sphere::new(units.point([0.0, 2.5, 0.0]), units.length(0.01), units.length(0.0));
+        let nowhere = Sphere::new(units.point([0.0, 2.5, 0.0]), units.length(0.01), units.length(0.0));
+        stage.scene.colliders = nowhere.with_velocity(units.velocity([0.0; 3]));
     }
     // a corner that it pushed through its neighbours stays there
     fn left(&self) -> f64 {

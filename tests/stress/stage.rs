@@ -1,8 +1,8 @@
 //! A sheet that is about to suffer.
 
 use kerchief::{
-    AerodynamicWind, Bend, Cloth, Drag, FacetWind, Gravity, Grid, Node, Scalar, Scene, Shear, Solver, Sphere, Stretch,
-    Units, Vec3, measure,
+    AerodynamicWind, Bend, Cloth, Drag, FacetWind, Gravity, Grid, Moving, Node, Scalar, Scene, Shear, Solver, Sphere,
+    Stretch, Units, Vec3, measure,
 };
 
 /// What a sheet is, in SI units.
@@ -43,7 +43,7 @@ type Links<S> = (Stretch<S>, Shear<S>, Bend<S>);
 /// The sheet on its two upper corners, its scene, and what its solver remembers.
 pub(crate) struct Stage<S: Scalar, V: Solver<S>, const W: usize, const H: usize> {
     pub(crate) units: Units,
-    pub(crate) scene: Scene<Forces<S>, Links<S>, Sphere<S>, V>,
+    pub(crate) scene: Scene<Forces<S>, Links<S>, Moving<Sphere<S>>, V>,
     pub(crate) cloth: Cloth<S, W, H>,
     memory: V::Memory<Links<S>, W, H>,
     random: u64,
@@ -68,14 +68,14 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
         );
         let forces = (Gravity::new(units.acceleration(DOWN)), Drag::new(units.drag(drag)), None, None);
         let nowhere = Sphere::new(units.point([3.0 * size, 0.0, 0.0]), units.length(0.01 * size), units.length(0.0));
+        let nowhere = nowhere.with_velocity(units.velocity([0.0; 3]));
         let scene = Scene::new(&units, forces, links, nowhere, solver);
         let memory = scene.memory();
         Self { units, scene, cloth, memory, random: 0x9e37_79b9_7f4a_7c15 }
     }
 
     pub(crate) fn step(&mut self) {
-        self.scene.step(&mut self.cloth, &mut self.memory);
-        self.scene.advance::<S>();
+        self.scene.play(&mut self.cloth, &mut self.memory);
     }
 
     /// A number from −1 to 1 (G. Marsaglia, *Xorshift RNGs*, 2003).

@@ -1,6 +1,6 @@
 //! Plays a scene in any number type by any solver. It needs nothing but the crate: a board can run it too.
 
-use kerchief::collider::Contact;
+use kerchief::collider::{Contact, Moving};
 use kerchief::link::{Visitor, WithDampers};
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, ForwardEuler, Gravity,
@@ -111,8 +111,7 @@ fn run<S: Scalar, V: Solver<S>>(setup: &Setup, solver: V, pace: &Pace, frame: &m
             let target = cloth.position.at(hand) + Vec3::from_f64(way);
             scene.move_pin(&mut cloth, hand, target);
         }
-        scene.step(&mut cloth, &mut memory);
-        scene.advance();
+        scene.play(&mut cloth, &mut memory);
         frame(measure::digest(&cloth));
     }
     Outcome { finite: measure::is_finite(&cloth), bounds: measure::bounds(&cloth).map(Vec3::to_f64) }
@@ -192,7 +191,7 @@ impl<S: Scalar> Links<S> for Held<S> {
 }
 
 enum Obstacle<S> {
-    Ball(Sphere<S>),
+    Ball(Moving<Sphere<S>>),
     Rod(Capsule<S>),
     Ground(Plane<S>),
 }

@@ -86,8 +86,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize, L: Links<S>, C: Co
 
     /// Moves the sheet by one frame, and what is in its way.
     pub fn step(&mut self) {
-        self.scene.step(&mut self.cloth, &mut self.memory);
-        self.scene.advance();
+        self.scene.play(&mut self.cloth, &mut self.memory);
     }
 
     pub fn run(&mut self, frames: u32) {

@@ -57,7 +57,9 @@ fn step<S: Scalar>(bits: &[u32; NUMBERS], chosen: Option<u8>, number: fn(u32) ->
     (air.wind, air.pressure) = (vector(), vector().x);
     let mut ball = Sphere::new(UNITS.point([0.0; 3]), UNITS.length(0.3), UNITS.length(0.1));
     ball.friction = vector().x;
-    (ball.centre, ball.velocity) = (vector(), vector());
+    ball.centre = vector();
+    let mut ball = ball.with_velocity(UNITS.velocity([0.0; 3]));
+    *ball.velocity_mut() = vector();
     let plane = Plane::new(UNITS.point([0.0; 3]), Vec3::from_f64([0.0, 0.6, 0.8]), UNITS.length(0.1));
     let [a, b] = [[0.1, 0.0, 0.0], [0.4, 0.3, 0.0]].map(|end| UNITS.point(end));
     let rod = Capsule::new(a, b, UNITS.length(0.1), UNITS.length(0.05));
@@ -78,8 +80,7 @@ fn step<S: Scalar>(bits: &[u32; NUMBERS], chosen: Option<u8>, number: fn(u32) ->
                 let mut scene = Scene::new(&UNITS, forces, links.clone(), (ball, plane, rod), $solver);
                 let (mut sheet, mut memory) = (cloth, scene.memory::<S, 4, 4>());
                 for _ in 0..2 {
-                    scene.step(&mut sheet, &mut memory);
-                    scene.advance::<S>();
+                    scene.play(&mut sheet, &mut memory);
                     scene.move_pin(&mut sheet, Node::new(0, 0), target);
                 }
                 measure::strain(&sheet, &scene.links);

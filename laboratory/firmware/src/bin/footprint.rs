@@ -49,7 +49,7 @@ where
     C: Collider<S>,
     V: Solver<S>,
 {
-    scene.step(cloth, memory);
+    scene.step_one(cloth, memory);
 }
 
 #[cortex_m_rt::entry]

@@ -45,11 +45,11 @@ impl Bench for Counter {
         let scene = black_box(scene);
         let mut memory = scene.memory();
         for _ in 0..WARM_UP {
-            scene.step(&mut cloth, &mut memory);
+            scene.step_one(&mut cloth, &mut memory);
         }
         let frames = counted(name);
         // all at once: a frame at rest takes not much more than a tick of the clock
-        let instructions = self.0.instructions(|| (0..frames).for_each(|_| scene.step(&mut cloth, &mut memory)));
+        let instructions = self.0.instructions(|| (0..frames).for_each(|_| scene.step_one(&mut cloth, &mut memory)));
         hprintln!(
             "{}; {}; {}; {}; {}; {:08x}",
             S::NAME,

@@ -1,0 +1,92 @@
+//! Something that moves through the world.
+
+use core::ops::{Deref, DerefMut};
+
+use crate::collider::{Collider, Contact, Sphere};
+use crate::fingerprint::Fingerprint;
+use crate::moment::Moment;
+use crate::scalar::Scalar;
+use crate::units::Velocity;
+use crate::vec3::Vec3;
+
+/// A collider on its way: a scene that has one is [played](crate::Scene::play), which moves it on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moving<C>(C);
+
+impl<S: Scalar> Moving<Sphere<S>> {
+    pub(super) fn new(sphere: Sphere<S>, velocity: Velocity) -> Self {
+        let mut moving = Self(sphere);
+        moving.turn(velocity);
+        moving
+    }
+
+    /// Its velocity, cells per tick. In fixed point a ball stops at the end of the range, where it has no room for another tick.
+    pub fn velocity(&self) -> Vec3<S> {
+        self.0.velocity
+    }
+
+    /// The same, to be changed: whatever it is, a step cannot fail.
+    pub const fn velocity_mut(&mut self) -> &mut Vec3<S> {
+        &mut self.0.velocity
+    }
+
+    /// The same ball with friction.
+    ///
+    /// # Panics
+    /// If the coefficient is negative or not finite.
+    #[must_use]
+    #[track_caller]
+    pub fn with_friction(self, friction: S) -> Self {
+        Self(self.0.with_friction(friction))
+    }
+
+    /// Goes on with another velocity.
+    ///
+    /// # Panics
+    /// If the velocity doesn't [fit](Velocity::fits) the number type.
+    #[track_caller]
+    pub fn turn(&mut self, velocity: Velocity) {
+        self.0.velocity = Vec3::from_f64(velocity.fits::<S>().0);
+    }
+}
+
+impl<C> Deref for Moving<C> {
+    type Target = C;
+
+    fn deref(&self) -> &C {
+        &self.0
+    }
+}
+
+impl<C> DerefMut for Moving<C> {
+    fn deref_mut(&mut self) -> &mut C {
+        &mut self.0
+    }
+}
+
+impl<S: Scalar, C: Collider<S>> Collider<S> for Moving<C> {
+    #[inline]
+    fn is_present(&self) -> bool {
+        self.0.is_present()
+    }
+
+    #[inline]
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
+        self.0.contact(moment, position, moved)
+    }
+
+    #[inline]
+    fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+        self.0.reaches(moment, low, high)
+    }
+
+    #[inline]
+    fn advance(&mut self, end: Moment) {
+        self.0.advance(end);
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        self.0.fingerprint(print);
+    }
+}
