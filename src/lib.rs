@@ -46,6 +46,7 @@
 //! | [`rest`] | when nothing moves, nothing is computed |
 //! | [`scene`] | the description, and the step |
 //! | [`measure`] | strain, energy, momentum, digest |
+//! | [`mesh`] | positions, normals and triangles for a graphics engine |
 //! | `render` | drawing on any `embedded-graphics` display (feature `graphics`) |
 //! | [`host`] | scene files, for programs on a host (feature `std`) |
 //!
@@ -73,6 +74,7 @@ pub mod host;
 pub mod link;
 pub mod material;
 pub mod measure;
+pub mod mesh;
 pub mod moment;
 pub mod particles;
 #[cfg(feature = "graphics")]
@@ -91,6 +93,7 @@ pub use force::{AerodynamicWind, Drag, FacetWind, Force, Gravity};
 pub use grid::{Grid, Node};
 pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
 pub use material::Material;
+pub use mesh::Mesh;
 pub use moment::Moment;
 pub use particles::Particles;
 pub use rest::{Resting, Stillness};
