@@ -47,6 +47,7 @@
 //! | [`scene`] | the description, and the step |
 //! | [`measure`] | strain, energy, momentum, digest |
 //! | [`mesh`] | positions, normals and triangles for a graphics engine |
+//! | [`ray`] | which particle is under a pixel |
 //! | `render` | drawing on any `embedded-graphics` display (feature `graphics`) |
 //! | [`host`] | scene files, for programs on a host (feature `std`) |
 //!
@@ -77,6 +78,7 @@ pub mod measure;
 pub mod mesh;
 pub mod moment;
 pub mod particles;
+pub mod ray;
 #[cfg(feature = "graphics")]
 pub mod render;
 pub mod rest;
@@ -96,6 +98,7 @@ pub use material::Material;
 pub use mesh::Mesh;
 pub use moment::Moment;
 pub use particles::Particles;
+pub use ray::{Hit, Ray};
 pub use rest::{Resting, Stillness};
 pub use scalar::{Fixed24, Q13, Q24, Scalar};
 pub use scene::Scene;
