@@ -41,6 +41,7 @@
 //! | [`fingerprint`] | whether numbers have changed |
 //! | [`particles`] | what forces, links, colliders and solvers act on |
 //! | [`cloth`] | the state of a sheet |
+//! | `saved` | its way out and back (feature `serde`) |
 //! | [`force`], [`link`], [`collider`] | what acts on it |
 //! | [`solver`] | the ways to move it |
 //! | [`rest`] | when nothing moves, nothing is computed |
@@ -82,6 +83,8 @@ pub mod ray;
 #[cfg(feature = "graphics")]
 pub mod render;
 pub mod rest;
+#[cfg(feature = "serde")]
+pub mod saved;
 pub mod scalar;
 pub mod scene;
 pub mod solver;

@@ -119,10 +119,14 @@ const CALM: f64 = 0.02;
 
 /// What a sheet's motion leaves behind.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "S: Scalar + serde::Deserialize<'de>")))]
 pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
     /// The velocity before the last substep, cells per tick.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::saved::finite"))]
     earlier: Vectors<S, W, H>,
     /// The multiplier of each link in the last sweep, at its upper or left particle, in cells over the dividend of the link's strength.
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::array"))]
     tension: [Grid<S, W, H>; N],
     kept: Kept,
     split: Split,
@@ -140,6 +144,7 @@ impl<S: Scalar, const W: usize, const H: usize, const N: usize> Memory<S, W, H, 
 
 /// What is known of the past.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 enum History {
     /// Nothing.
     None,
