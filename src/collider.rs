@@ -12,7 +12,8 @@ use crate::grid::Node;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::units::Length;
+use crate::scalar::fit::{is_finite, is_not_negative};
+use crate::units::{Length, check_fit};
 use crate::vec3::Vec3;
 
 pub use capsule::Capsule;
@@ -94,11 +95,13 @@ fn reach<S: Scalar>(radius: Length, margin: Length) -> S {
     reach
 }
 
-/// Refuses what is no coefficient of friction.
+/// A coefficient of friction. As an `f64` it leaves the number type to the scene.
 #[track_caller]
 #[inline]
-fn check_friction<S: Scalar>(friction: S) {
-    assert!(friction >= S::ZERO && friction.is_finite(), "a coefficient of friction is finite, zero or above");
+fn coefficient<S: Scalar>(friction: f64) -> S {
+    assert!(is_finite(friction) && is_not_negative(friction), "a coefficient of friction is finite, zero or above");
+    check_fit::<S, 1>([friction]);
+    S::from_f64(friction)
 }
 
 /// What friction takes of a vector: all of it that is along the surface, but no more than the `grip`.

@@ -293,7 +293,7 @@ impl Units {
 /// What a type does not represent is refused in these words.
 #[track_caller]
 #[inline(always)]
-const fn check_fit<S: Scalar, const N: usize>(values: [f64; N]) {
+pub(crate) const fn check_fit<S: Scalar, const N: usize>(values: [f64; N]) {
     match fit::<S, N>(values) {
         Fit::Well => {}
         Fit::TooLarge => panic!("a constant of the scene is not finite, or too large for its number type"),

@@ -189,7 +189,7 @@ fn colliders_have_a_shape() {
     refused("radius", "a length is beyond the range", || Sphere::<Q24>::new(origin, Length(200.0), metre));
     let [a, b] = [-70.0, 70.0].map(|x| Point([x, 0.0, 0.0]));
     refused("length", "a capsule is longer than", || Capsule::<Q24>::new(a, b, metre, metre));
-    for bad in [f32::NAN, f32::INFINITY, -0.1] {
+    for bad in [f64::NAN, f64::INFINITY, -0.1] {
         refused("friction", "a coefficient of friction", || {
             Sphere::<f32>::new(origin, metre, metre).with_friction(bad)
         });
@@ -236,9 +236,9 @@ fn solvers_do_something() {
         refused("speed", "a stillness is positive", || still(bad, 1.0, 1.0));
         refused("acceleration", "a stillness is positive", || still(1.0, bad, 1.0));
         refused("time", "a stillness is positive", || still(1.0, 1.0, bad));
-        refused("limit", "a strain limit is positive", || StrainLimited::new((), bad));
+        refused("limit", "a strain limit is positive", || StrainLimited::<_, f32>::new((), bad));
     }
-    refused("limit", "fixed point holds", || StrainLimited::new((), Q24::from_f64(63.0)));
+    refused("limit", "fixed point holds", || StrainLimited::<_, Q24>::new((), 63.0));
     refused("slack", "a slack is finite", || Tether::<f32, 1>::new(&UNITS, &[], -0.1));
 }
 
@@ -357,10 +357,9 @@ fn played<S: Scalar>(from: &mut Constants<'_>, kind: usize) -> bool {
     let shear = Shear::<S>::new(&units, units.compliance(from.next()));
     let bend = Bend::<S>::new(&units, Strength { dividend: from.next(), divisor: from.next() });
     let damped = Damped::new(stretch, units.damping(from.next()));
-    let limited = StrainLimited::new(shear, S::from_f64(from.next()));
-    let slack =
-        Tether::<S, 2>::new(&units, &[Node::new(0, 0)], S::from_f64(from.next())).expect("one is fewer than two");
-    let friction = S::from_f64(from.next());
+    let limited = StrainLimited::<_, S>::new(shear, from.next());
+    let slack = Tether::<S, 2>::new(&units, &[Node::new(0, 0)], from.next()).expect("one is fewer than two");
+    let friction = from.next();
     let centre = units.point(from.vector());
     let ball = Sphere::<S>::new(centre, units.length(from.next()), units.length(from.next())).with_friction(friction);
     let ball = ball.with_velocity(units.velocity(from.vector()));
