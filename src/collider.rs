@@ -189,6 +189,39 @@ impl<S: Scalar> Collider<S> for () {
     fn fingerprint(&self, _print: &mut Fingerprint) {}
 }
 
+/// A collider that is there or not, decided while the program runs.
+impl<S: Scalar, T: Collider<S>> Collider<S> for Option<T> {
+    #[inline]
+    fn is_present(&self) -> bool {
+        self.as_ref().is_some_and(T::is_present)
+    }
+
+    #[inline]
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
+        self.as_ref()?.contact(moment, position, moved)
+    }
+
+    #[inline]
+    fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+        self.as_ref().is_some_and(|collider| collider.reaches(moment, low, high))
+    }
+
+    #[inline]
+    fn advance(&mut self, end: Moment) {
+        if let Some(collider) = self {
+            collider.advance(end);
+        }
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.word(u32::from(self.is_some()));
+        if let Some(collider) = self {
+            collider.fingerprint(print);
+        }
+    }
+}
+
 impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {
     #[inline]
     fn is_present(&self) -> bool {

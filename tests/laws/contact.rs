@@ -2,7 +2,8 @@
 
 use kerchief::units::Length;
 use kerchief::{
-    Capsule, Collider, Leapfrog, Lines, Plane, Q13, Q24, Scalar, Solver, Sphere, Units, Vec3, Verlet, Xpbd,
+    Capsule, Cloth, Collider, Gravity, Leapfrog, Lines, Plane, Q13, Q24, Scalar, Scene, Solver, Sphere, Stretch, Units,
+    Vec3, Verlet, Xpbd, measure,
 };
 
 use rig::reference::{Model, Pose, Sheet};
@@ -56,6 +57,28 @@ fn no_particle_comes_nearer_than_the_margin() {
     check::<f32>();
     check::<f64>();
     check::<Q24>();
+}
+
+/// A collider that may be there is one, or none; and a coefficient of friction does not choose the number type.
+#[test]
+fn a_collider_that_is_there_or_not() {
+    const UNITS: Units = Units::sheet([6, 6], [0.3, 0.3], 1e-3, 0.02, 4);
+    fn end<C: Collider<Q24>>(colliders: C) -> u32 {
+        let mut cloth = Cloth::<Q24, 6, 6>::lay(&UNITS, UNITS.point([-0.15, -0.15, 0.0]));
+        let gravity = Gravity::new(UNITS.acceleration([0.5, 0.0, -9.81]));
+        let mut scene = Scene::new(&UNITS, gravity, Stretch::new(&UNITS, UNITS.stiffness(50.0)), colliders, Xpbd);
+        for _ in 0..30 {
+            scene.step(&mut cloth, &mut ());
+            scene.advance::<Q24>();
+        }
+        measure::digest(&cloth)
+    }
+    let ball = Sphere::new(UNITS.point([0.0, 0.0, -0.2]), UNITS.length(0.1), UNITS.length(0.02)).with_friction(0.3);
+    let ball = ball.with_velocity(UNITS.velocity([0.05, 0.0, 0.0]));
+    assert_eq!(end(Some(ball)), end(ball));
+    assert_eq!(end(None::<Sphere<Q24>>), end(()));
+    assert_eq!(end((Some(ball), None::<Plane<Q24>>)), end(ball));
+    assert_ne!(end(ball), end(()));
 }
 
 /// How far a sheet on a slope has slid after 0.5 s, m: the plane is level and gravity tilts.
