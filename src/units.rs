@@ -60,12 +60,14 @@ pub struct Point(pub [f64; 3]);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Length(pub f64);
 
-/// A velocity, cells per tick.
+/// A velocity, cells per tick: only [`Units::velocity`] makes one, so that metres a second are not taken for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Velocity(pub [f64; 3]);
 
-/// The velocity that an acceleration adds in a substep, cells per tick.
+/// The velocity that an acceleration adds in a substep, cells per tick: only [`Units::acceleration`] makes one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Acceleration(pub [f64; 3]);
 
 /// A spring's stiffness κ, or a damper's strength, against the inertia of a particle in one substep, as the quotient `dividend /
