@@ -3,7 +3,7 @@
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use kerchief::material::DENIM;
-use kerchief::render::{Camera, Ground, Light, Look, Shaded, Shadow, View, pattern::CELL, pattern::Stripes};
+use kerchief::render::{Camera, Ground, Light, Look, Shaded, Shadow, View, pattern::Stripes, pattern::Width};
 use kerchief::{Lines, Node, Sheet, Units};
 
 const SIDE: usize = 24;
@@ -25,7 +25,7 @@ fn main() {
         scene.step(&mut cloth, &mut memory);
     }
     let ground = Ground::new(UNITS.point([0.3, 0.0, 0.0]), UNITS.length(1.0));
-    let look = Look::new(Light::new(-40.0, 50.0), Stripes { width: CELL, tones: BLUE });
+    let look = Look::new(Light::new(-40.0, 50.0), Stripes { width: Width::cells(1), tones: BLUE });
     let look = look.backdrop(ground.shadow(Shadow::<96>::new(Rgb888::new(128, 120, 116))));
     let mut display = SimulatorDisplay::<Rgb888>::new(SCREEN);
     let Ok(()) = Shaded::new(look).smooth::<8>().draw(&cloth, &Camera::new(&VIEW, SCREEN), &mut display);

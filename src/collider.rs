@@ -13,7 +13,8 @@ use crate::grid::Node;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::units::Length;
+use crate::scalar::fit::{is_finite, is_not_negative};
+use crate::units::{Length, check_fit};
 use crate::vec3::Vec3;
 
 pub use capsule::Capsule;
@@ -62,6 +63,7 @@ impl Stationary for () {}
 impl<S> Stationary for Sphere<S> {}
 impl<S> Stationary for Plane<S> {}
 impl<S> Stationary for Capsule<S> {}
+impl<T: Stationary> Stationary for Option<T> {}
 impl<T: Stationary> Stationary for [T] {}
 impl<T: Stationary, const N: usize> Stationary for heapless::Vec<T, N> {}
 
@@ -110,11 +112,13 @@ fn reach<S: Scalar>(radius: Length, margin: Length) -> S {
     reach
 }
 
-/// Refuses what is no coefficient of friction.
+/// A coefficient of friction. As an `f64` it leaves the number type to the scene.
 #[track_caller]
 #[inline]
-fn check_friction<S: Scalar>(friction: S) {
-    assert!(friction >= S::ZERO && friction.is_finite(), "a coefficient of friction is finite, zero or above");
+fn coefficient<S: Scalar>(friction: f64) -> S {
+    assert!(is_finite(friction) && is_not_negative(friction), "a coefficient of friction is finite, zero or above");
+    check_fit::<S, 1>([friction]);
+    S::from_f64(friction)
 }
 
 /// What friction takes of a vector: all of it that is along the surface, but no more than the `grip`.
@@ -200,6 +204,39 @@ impl<S: Scalar> Collider<S> for () {
 
     #[inline]
     fn fingerprint(&self, _print: &mut Fingerprint) {}
+}
+
+/// A collider that is there or not, decided while the program runs.
+impl<S: Scalar, T: Collider<S>> Collider<S> for Option<T> {
+    #[inline]
+    fn is_present(&self) -> bool {
+        self.as_ref().is_some_and(T::is_present)
+    }
+
+    #[inline]
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
+        self.as_ref()?.contact(moment, position, moved)
+    }
+
+    #[inline]
+    fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+        self.as_ref().is_some_and(|collider| collider.reaches(moment, low, high))
+    }
+
+    #[inline]
+    fn advance(&mut self, end: Moment) {
+        if let Some(collider) = self {
+            collider.advance(end);
+        }
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        print.word(u32::from(self.is_some()));
+        if let Some(collider) = self {
+            collider.fingerprint(print);
+        }
+    }
 }
 
 impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {

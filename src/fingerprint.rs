@@ -20,6 +20,7 @@ use crate::vec3::Vec3;
 /// assert!(!of(-9.81).matches(of(-9.82)));
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Fingerprint {
     hash: u32,
     known: bool,

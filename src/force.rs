@@ -1,7 +1,8 @@
-//! What pulls on particles from outside: gravity, drag, wind.
+//! What pulls on particles from outside: gravity, drag, wind, a hand.
 //!
 //! `()` is no force and a tuple is all of its members. A force of your own implements [`Force`].
 
+mod hand;
 mod wind;
 
 use crate::fingerprint::Fingerprint;
@@ -9,6 +10,7 @@ use crate::scalar::Scalar;
 use crate::units::{Acceleration, DragRate};
 use crate::vec3::Vec3;
 
+pub use hand::Hand;
 pub use wind::{AerodynamicWind, FacetWind};
 
 /// A force, or none, or several.
@@ -64,6 +66,8 @@ pub trait Force<S: Scalar> {
 /// A row of particles.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a, S, const W: usize> {
+    /// Which row of the sheet it is.
+    pub index: usize,
     /// Where they are, cells.
     pub position: &'a Vec3<[S; W]>,
     /// How fast they move, cells per tick.

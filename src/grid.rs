@@ -52,6 +52,18 @@ impl<T: Copy, const W: usize, const H: usize> Grid<T, W, H> {
     pub fn values_mut(&mut self) -> impl Iterator<Item = &mut T> {
         self.0.iter_mut().flatten()
     }
+
+    /// All values as a slice, row by row.
+    pub const fn as_slice(&self) -> &[T] {
+        self.0.as_flattened()
+    }
+}
+
+impl<T, const N: usize, const W: usize, const H: usize> Grid<[T; N], W, H> {
+    /// All components of all values as a slice, row by row: what a vertex buffer takes.
+    pub const fn as_flat(&self) -> &[T] {
+        self.0.as_flattened().as_flattened()
+    }
 }
 
 impl<T, const W: usize, const H: usize> Index<Node> for Grid<T, W, H> {

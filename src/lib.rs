@@ -41,12 +41,15 @@
 //! | [`fingerprint`] | whether numbers have changed |
 //! | [`particles`] | what forces, links, colliders and solvers act on |
 //! | [`cloth`] | the state of a sheet |
+//! | `saved` | its way out and back (feature `serde`) |
 //! | [`force`], [`link`], [`collider`] | what acts on it |
 //! | [`solver`] | the ways to move it |
 //! | [`rest`] | when nothing moves, nothing is computed |
 //! | [`scene`] | the description, and the step |
 //! | [`sheet`] | size, number type and units said once; the way in |
 //! | [`measure`] | strain, energy, momentum, digest |
+//! | [`mesh`] | positions, normals and triangles for a graphics engine |
+//! | [`ray`] | which particle is under a pixel |
 //! | `render` | drawing on any `embedded-graphics` display (feature `graphics`) |
 //! | [`host`] | scene files, for programs on a host (feature `std`) |
 //!
@@ -74,11 +77,15 @@ pub mod host;
 pub mod link;
 pub mod material;
 pub mod measure;
+pub mod mesh;
 pub mod moment;
 pub mod particles;
+pub mod ray;
 #[cfg(feature = "graphics")]
 pub mod render;
 pub mod rest;
+#[cfg(feature = "serde")]
+pub mod saved;
 pub mod scalar;
 pub mod scene;
 pub mod sheet;
@@ -89,12 +96,14 @@ pub mod vectors;
 
 pub use cloth::Cloth;
 pub use collider::{Capsule, Collider, Moving, Plane, Sphere};
-pub use force::{AerodynamicWind, Drag, FacetWind, Force, Gravity};
+pub use force::{AerodynamicWind, Drag, FacetWind, Force, Gravity, Hand};
 pub use grid::{Grid, Node};
 pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
 pub use material::Material;
+pub use mesh::Mesh;
 pub use moment::Moment;
 pub use particles::Particles;
+pub use ray::{Hit, Ray};
 pub use rest::{Resting, Stillness};
 pub use scalar::{Fixed24, Q13, Q24, Scalar};
 pub use scene::Scene;

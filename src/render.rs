@@ -17,7 +17,7 @@
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
 //! use kerchief::render::{Ball, Camera, Ground, Light, Look, Shaded, Shadow, View};
-//! use kerchief::render::pattern::{Border, CELL, Gingham};
+//! use kerchief::render::pattern::{Border, Gingham, Width};
 //! use kerchief::{Cloth, Q24, Units};
 //!
 //! const UNITS: Units = Units::sheet([16, 16], [0.3, 0.3], 1e-3, 1.0 / 60.0, 8);
@@ -25,6 +25,7 @@
 //! const VIEW: View = View::new(-25.0, 22.0).fit(UNITS.point([-0.2, -0.2, -0.1]), UNITS.point([0.2, 0.2, 0.1]), SCREEN);
 //! const RED: Rgb888 = Rgb888::new(178, 34, 38);
 //! const CREAM: Rgb888 = Rgb888::new(250, 240, 226);
+//! const CELL: Width = Width::cells(1);
 //! const KERCHIEF: Border<Gingham> = Border { width: CELL, tone: RED, inner: Gingham { width: CELL, tones: [CREAM, RED] } };
 //!
 //! let cloth = Cloth::<Q24, 16, 16>::lay(&UNITS, UNITS.point([-0.15, -0.15, 0.11]));

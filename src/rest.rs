@@ -195,6 +195,7 @@ impl Threshold {
 
 /// What a solver remembers, since when its sheet is still, and three bytes a particle of where that was.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Memory<M, S, const W: usize, const H: usize> {
     solver: M,
     watch: Watch<S>,
@@ -204,7 +205,7 @@ pub struct Memory<M, S, const W: usize, const H: usize> {
 impl<M, S: Scalar, const W: usize, const H: usize> Memory<M, S, W, H> {
     /// The memory of a sheet in motion.
     pub fn new(solver: M) -> Self {
-        Self { solver, watch: Watch::AWAKE, places: Places([[[0; 3]; W]; H]) }
+        Self { solver, watch: Watch::AWAKE, places: Places(Grid::filled([0; 3])) }
     }
 
     /// What the solver remembers, to move the sheet without this: it then counts as in motion.
@@ -220,8 +221,10 @@ impl<M, S: Scalar, const W: usize, const H: usize> Memory<M, S, W, H> {
 }
 
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct Watch<S> {
     /// For how many frames the sheet has been still.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "countable"))]
     frames: u32,
     /// All that surrounds the sheet; at rest the sheet too.
     seen: Fingerprint,
@@ -231,6 +234,13 @@ struct Watch<S> {
     at_rest: bool,
 }
 
+/// A number of frames that can be counted on from.
+#[cfg(feature = "serde")]
+fn countable<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
+    let frames = serde::Deserialize::deserialize(deserializer)?;
+    if frames < u32::MAX { Ok(frames) } else { Err(serde::de::Error::custom("too many frames")) }
+}
+
 impl<S: Scalar> Watch<S> {
     const AWAKE: Self =
         Self { frames: 0, seen: Fingerprint::new(), slowest: S::ZERO, fastest: S::ZERO, at_rest: false };
@@ -238,11 +248,12 @@ impl<S: Scalar> Watch<S> {
 
 /// Where particles were, in grains, of which the lower byte tells whether they are near.
 #[derive(Clone, Copy, Debug)]
-struct Places<const W: usize, const H: usize>([[[u8; 3]; W]; H]);
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+struct Places<const W: usize, const H: usize>(Grid<[u8; 3], W, H>);
 
 impl<const W: usize, const H: usize> Places<W, H> {
     fn take<S: Scalar>(&mut self, particles: &Particles<S, W, H>, grains: i32) {
-        for (kept, row) in self.0.iter_mut().zip(&particles.position.0) {
+        for (kept, row) in self.0.0.iter_mut().zip(&particles.position.0) {
             for (column, kept) in kept.iter_mut().enumerate() {
                 *kept = lower_bytes(row.at(column), grains);
             }
@@ -250,7 +261,7 @@ impl<const W: usize, const H: usize> Places<W, H> {
     }
 
     fn are_near<S: Scalar>(&self, particles: &Particles<S, W, H>, grains: i32) -> bool {
-        self.0.iter().zip(&particles.position.0).all(|(kept, row)| {
+        self.0.0.iter().zip(&particles.position.0).all(|(kept, row)| {
             kept.iter().enumerate().all(|(column, kept)| {
                 let now = lower_bytes(row.at(column), grains);
                 now.iter().zip(kept).all(|(now, then)| {

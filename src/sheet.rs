@@ -22,7 +22,7 @@ use core::marker::PhantomData;
 
 use crate::cloth::Cloth;
 use crate::collider::{Capsule, Moving, Plane, Sphere};
-use crate::force::{AerodynamicWind, Drag, FacetWind, Gravity};
+use crate::force::{AerodynamicWind, Drag, FacetWind, Gravity, Hand};
 use crate::grid::Node;
 use crate::link::{Bend, Damped, Shear, Stretch, Tether};
 use crate::material::Material;
@@ -155,6 +155,14 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
         Damped::new(links, self.units.damping(damping))
     }
 
+    /// A hand that holds nothing: its compliance (m/N), its damping (N·s/m), and the distance (m) from which on it pulls no more.
+    #[track_caller]
+    #[inline]
+    pub fn hand(&self, compliance: f64, damping: f64, reach: f64) -> Hand<S> {
+        let (spring, damper) = (self.units.compliance(compliance), self.units.damping(damping));
+        Hand::new(&self.units, spring, damper, self.units.length(reach))
+    }
+
     /// A ball at rest without friction: its centre, its radius, and the `margin` at which particles keep from its surface, m.
     #[track_caller]
     #[inline]
@@ -184,6 +192,22 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
         Capsule::new(a, b, self.units.length(radius), self.units.length(margin))
     }
 
+    /// A place (m) in the sheet's numbers, as for a hand's target.
+    ///
+    /// # Panics
+    /// For what is not finite.
+    #[track_caller]
+    #[inline]
+    pub fn place(&self, metres: [f64; 3]) -> Vec3<S> {
+        self.units.point(metres).to_vec()
+    }
+
+    /// Where a place in the sheet's numbers is, m.
+    #[inline]
+    pub fn metres(&self, place: Vec3<S>) -> [f64; 3] {
+        self.units.metres(place)
+    }
+
     /// Tethers to up to `N` pins, each `1 + slack` times as long as the distance at rest.
     ///
     /// # Errors
@@ -191,7 +215,7 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
     #[track_caller]
     #[inline]
     pub fn tether<'a, const N: usize>(&self, anchors: &'a [Node], slack: f64) -> Result<Tether<S, N>, &'a [Node]> {
-        Tether::new(&self.units, anchors, S::from_f64(slack))
+        Tether::new(&self.units, anchors, slack)
     }
 
     /// `solver`, which rests where a sheet is as still as that.

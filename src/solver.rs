@@ -96,6 +96,7 @@ pub trait Solver<S: Scalar> {
 
 /// The memory of a solver that needs none. It says whose it is, so that a program need not.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 pub struct Stateless<S, const W: usize, const H: usize>(PhantomData<S>);
 
 impl<S, const W: usize, const H: usize> Stateless<S, W, H> {

@@ -60,12 +60,14 @@ pub struct Point(pub [f64; 3]);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Length(pub f64);
 
-/// A velocity, cells per tick.
+/// A velocity, cells per tick: only [`Units::velocity`] makes one, so that metres a second are not taken for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Velocity(pub [f64; 3]);
 
-/// The velocity that an acceleration adds in a substep, cells per tick.
+/// The velocity that an acceleration adds in a substep, cells per tick: only [`Units::acceleration`] makes one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Acceleration(pub [f64; 3]);
 
 /// A spring's stiffness κ, or a damper's strength, against the inertia of a particle in one substep, as the quotient `dividend /
@@ -179,6 +181,25 @@ impl Units {
         self.motion(metres_per_second)
     }
 
+    /// A place (cells) in m: the way back from [`point`](Self::point). Not a number where the place is none.
+    ///
+    /// ```
+    /// use kerchief::{Cloth, Node, Q24, Units};
+    ///
+    /// const UNITS: Units = Units::sheet([16, 16], [0.3, 0.3], 1e-3, 1.0 / 60.0, 8);
+    /// let cloth = Cloth::<Q24, 16, 16>::hang(&UNITS, UNITS.point([0.0, 0.0, 0.5]));
+    /// let [x, _, z] = UNITS.metres(cloth.position.at(Node::new(15, 0)));
+    /// assert!((x - 0.3).abs() < 1e-8 && (z - 0.5).abs() < 1e-8);
+    /// ```
+    pub fn metres<S: Scalar>(&self, place: Vec3<S>) -> [f64; 3] {
+        scaled(place.to_f64(), self.cell)
+    }
+
+    /// A velocity (cells per tick) in m/s: the way back from [`velocity`](Self::velocity).
+    pub fn metres_per_second<S: Scalar>(&self, velocity: Vec3<S>) -> [f64; 3] {
+        scaled(velocity.to_f64(), self.cell / self.tick())
+    }
+
     /// An acceleration in m/s².
     #[track_caller]
     pub const fn acceleration(&self, metres_per_second2: [f64; 3]) -> Acceleration {
@@ -274,7 +295,7 @@ impl Units {
 /// What a type does not represent is refused in these words.
 #[track_caller]
 #[inline(always)]
-const fn check_fit<S: Scalar, const N: usize>(values: [f64; N]) {
+pub(crate) const fn check_fit<S: Scalar, const N: usize>(values: [f64; N]) {
     match fit::<S, N>(values) {
         Fit::Well => {}
         Fit::TooLarge => panic!("a constant of the scene is not finite, or too large for its number type"),
@@ -482,6 +503,18 @@ mod tests {
         assert!((UNITS.tick() - 0.1).abs() < 1e-15);
         let three = Units { substeps: 3, ..UNITS };
         assert!((three.tick() - 4.0 * 0.1 / 3.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn what_went_in_comes_out() {
+        let (place, velocity) = ([0.3, -2.0, 7.5], [-1.0, 0.25, 3.0]);
+        let near = |found: [f64; 3], expected: [f64; 3], bound: f64| {
+            found.into_iter().zip(expected).all(|(found, expected)| (found - expected).abs() < bound)
+        };
+        assert!(near(UNITS.metres(UNITS.point(place).to_vec::<f64>()), place, 1e-14));
+        assert!(near(UNITS.metres(UNITS.point(place).to_vec::<crate::Q24>()), place, 1e-7));
+        let moving = Vec3::<f64>::from_f64(UNITS.velocity(velocity).0);
+        assert!(near(UNITS.metres_per_second(moving), velocity, 1e-14));
     }
 
     #[test]

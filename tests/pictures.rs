@@ -10,7 +10,7 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawU2, RawU16,
 use embedded_graphics::pixelcolor::{Gray4, GrayColor, PixelColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::PrimitiveStyle;
 use embedded_graphics::{Drawable, Pixel};
-use kerchief::render::pattern::{Border, CELL, Gingham, Place};
+use kerchief::render::pattern::{Border, Gingham, Place, Width};
 use kerchief::render::{Ball, Camera, Canvas, Ground, Light, Look, Shade, Shaded, Shadow, Solids, View, Wireframe};
 use kerchief::{Cloth, Grid, Q24, Scalar, Units, Vec3};
 
@@ -43,10 +43,10 @@ fn camera<S: Scalar>(screen: Size) -> Camera<S> {
 
 /// Everything that can be in a picture.
 fn draw<S: Scalar, D: DrawTarget<Color: Shade, Error = Infallible> + Dimensions>(target: &mut D) {
-    let gingham = Gingham { width: CELL, tones: [CREAM, RED] };
+    let gingham = Gingham { width: Width::cells(1), tones: [CREAM, RED] };
     let ball = Ball::<S>::new(UNITS.point([0.0; 3]), UNITS.length(RADIUS), Rgb888::new(70, 110, 140));
     let ground = Ground::new(UNITS.point([0.0, 0.0, -RADIUS]), UNITS.length(30.0));
-    let look = Look::new(Light::new(-62.0, 52.0), Border { width: CELL, tone: RED, inner: gingham })
+    let look = Look::new(Light::new(-62.0, 52.0), Border { width: Width::cells(1), tone: RED, inner: gingham })
         .solids(ball)
         .backdrop(ground.shadow(Shadow::<64>::new(Rgb888::new(128, 118, 112))));
     let Ok(()) = Shaded::new(look).draw(&draped::<S>(), &camera(target.bounding_box().size), target);

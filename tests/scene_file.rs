@@ -412,6 +412,26 @@ fn names_that_are_tables() {
     ]);
 }
 
+/// A chain runs whatever its width: in the same bits.
+#[test]
+fn a_chain_without_a_width_runs() {
+    fn digest<S: Scalar + Send>(width: &str) -> u32 {
+        let scene = format!(
+            "[cloth]\ncolumns = 1\nrows = 32\n{width}\nheight = 1\nmass = 1e-3\npose = \"hang\"\npins = \"top\"\n\
+             [stretch]\nstiffness = 100\n[environment]\ngravity = [1, 0, -9.81]\n"
+        );
+        let scene = Description::parse(&scene).unwrap();
+        let mut chain = scene.simulation_on::<Everything, S, 1, 32>().unwrap();
+        (0..20).for_each(|_| chain.frame());
+        assert!(chain.is_finite() && chain.strains().stretch.unwrap().largest < 0.1, "{width:?} in {}", S::NAME);
+        chain.digest()
+    }
+    for width in ["width = 0.0", "width = -1.0", "width = 1e300"] {
+        assert_eq!(digest::<f32>(width), digest::<f32>(""), "{width}");
+        assert_eq!(digest::<Q24>(width), digest::<Q24>(""), "{width}");
+    }
+}
+
 /// A chain has no width, whatever the file says; a sheet has.
 #[test]
 fn a_chain_ignores_its_width() {

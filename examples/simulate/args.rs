@@ -45,6 +45,9 @@ pub(crate) struct Args {
     /// Write every recorded frame as frame-NNNNN.png
     #[arg(long)]
     pub(crate) png: bool,
+    /// Write every recorded frame as frame-NNNNN.obj: a mesh with normals and texture coordinates, in metres, z up
+    #[arg(long)]
+    pub(crate) obj: bool,
     /// Write positions.csv
     #[arg(long)]
     pub(crate) csv: bool,
@@ -52,14 +55,14 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 1, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) every: u32,
     /// Open a live window instead; needs the cargo feature `window`
-    #[arg(long, conflicts_with_all = ["gif", "png", "csv"])]
+    #[arg(long, conflicts_with_all = ["gif", "png", "obj", "csv"])]
     pub(crate) window: bool,
 }
 
 impl Args {
     /// Whether an animation is to be written.
     pub(crate) fn animation(&self) -> bool {
-        self.gif || !(self.png || self.csv)
+        self.gif || !(self.png || self.obj || self.csv)
     }
 
     /// Puts what the command line says over what the scene says.

@@ -2,6 +2,7 @@
 
 mod animation;
 mod args;
+mod meshes;
 mod pictures;
 mod report;
 mod spool;
@@ -19,6 +20,7 @@ use kerchief::host::{BUILT_IN, Still};
 use args::Args;
 use console::staging::{self, Complete, Staged};
 use console::{Failure, printable, progress};
+use meshes::Meshes;
 use pictures::Album;
 use report::Watch;
 
@@ -43,7 +45,11 @@ fn run(args: &Args) -> Result<(), Failure> {
     // Before anything is computed, because its place may be taken.
     let mut report_file = Staged::create(&args.out, "report.json")?;
     let mut positions = args.csv.then(|| Positions::create(&args.out)).transpose()?;
+    let mut meshes = args.obj.then(|| Meshes::new(&scene, &args.out));
     let mut record = |frame, still: Still| {
+        if let Some(meshes) = &mut meshes {
+            meshes.record(frame, &still)?;
+        }
         if let Some(positions) = &mut positions {
             positions.record(frame, &still, scene.sheet.columns)?;
         }
@@ -72,6 +78,7 @@ fn run(args: &Args) -> Result<(), Failure> {
         Some(album) => album.develop(&progress("pictures", 0))?,
         None => Vec::new(),
     };
+    files.extend(meshes.into_iter().flat_map(Meshes::complete));
     if let Some(positions) = positions {
         files.push(positions.complete()?);
     }

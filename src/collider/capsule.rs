@@ -1,6 +1,6 @@
 //! A rod with round ends.
 
-use crate::collider::{Collider, Contact, check_friction, reach};
+use crate::collider::{Collider, Contact, coefficient, reach};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -48,12 +48,11 @@ impl<S: Scalar> Capsule<S> {
     /// The same capsule with friction.
     ///
     /// # Panics
-    /// If the coefficient is negative or not finite.
+    /// If the coefficient is negative or not finite, or doesn't fit the number type.
     #[must_use]
     #[track_caller]
-    pub fn with_friction(self, friction: S) -> Self {
-        check_friction(friction);
-        Self { friction, ..self }
+    pub fn with_friction(self, friction: f64) -> Self {
+        Self { friction: coefficient(friction), ..self }
     }
 }
 

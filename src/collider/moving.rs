@@ -14,6 +14,7 @@ use crate::vec3::Vec3;
 pub struct Moving<C>(C);
 
 impl<S: Scalar> Moving<Sphere<S>> {
+    #[track_caller]
     pub(super) fn new(sphere: Sphere<S>, velocity: Velocity) -> Self {
         let mut moving = Self(sphere);
         moving.turn(velocity);
@@ -36,7 +37,7 @@ impl<S: Scalar> Moving<Sphere<S>> {
     /// If the coefficient is negative or not finite.
     #[must_use]
     #[track_caller]
-    pub fn with_friction(self, friction: S) -> Self {
+    pub fn with_friction(self, friction: f64) -> Self {
         Self(self.0.with_friction(friction))
     }
 

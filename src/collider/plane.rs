@@ -1,6 +1,6 @@
 //! A half-space: ground, wall, slope.
 
-use crate::collider::{Collider, Contact, check_friction};
+use crate::collider::{Collider, Contact, coefficient};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -47,12 +47,11 @@ impl<S: Scalar> Plane<S> {
     /// The same plane with friction.
     ///
     /// # Panics
-    /// If the coefficient is negative or not finite.
+    /// If the coefficient is negative or not finite, or doesn't fit the number type.
     #[must_use]
     #[track_caller]
-    pub fn with_friction(self, friction: S) -> Self {
-        check_friction(friction);
-        Self { friction, ..self }
+    pub fn with_friction(self, friction: f64) -> Self {
+        Self { friction: coefficient(friction), ..self }
     }
 }
 

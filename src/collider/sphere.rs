@@ -1,6 +1,6 @@
 //! A ball.
 
-use crate::collider::{Collider, Contact, Moving, check_friction, gap, reach};
+use crate::collider::{Collider, Contact, Moving, coefficient, gap, reach};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -34,12 +34,11 @@ impl<S: Scalar> Sphere<S> {
     /// The same ball with friction.
     ///
     /// # Panics
-    /// If the coefficient is negative or not finite.
+    /// If the coefficient is negative or not finite, or doesn't fit the number type.
     #[must_use]
     #[track_caller]
-    pub fn with_friction(self, friction: S) -> Self {
-        check_friction(friction);
-        Self { friction, ..self }
+    pub fn with_friction(self, friction: f64) -> Self {
+        Self { friction: coefficient(friction), ..self }
     }
 
     /// The same ball in motion.

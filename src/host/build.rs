@@ -148,7 +148,8 @@ impl Description {
                 let key = "solver.strain_limit";
                 // The longest links are two cells long.
                 Fit::<S>::number(key, 2.0 * (1.0 + limit))?;
-                Some(StrainLimited::new(springs, Fit::number(key, limit)?))
+                Fit::<S>::number(key, limit)?;
+                Some(StrainLimited::new(springs, limit))
             }
             None => None,
         };
@@ -156,7 +157,7 @@ impl Description {
             Some(slack) => {
                 let cells = (self.sheet.columns.max(self.sheet.rows) - 1) as f64;
                 Fit::<S>::number("tether.slack", (1.0 + slack) * cells)?;
-                let slack = Fit::number("tether.slack", slack)?;
+                Fit::<S>::number("tether.slack", slack)?;
                 let anchors: Vec<_> = self.sheet.pins.iter().map(|&[column, row]| Node { column, row }).collect();
                 let reason = || SceneError::new("tether", format!("holds to {ANCHORS} pins at most"));
                 Some(Tether::new(units, &anchors, slack).map_err(|_| reason())?)

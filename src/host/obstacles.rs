@@ -126,7 +126,7 @@ impl Description {
                 format!("{table}.margin"),
                 2.0 * (units.length(radius).0 + units.length(surface.margin).0),
             )?;
-            Fit::<S>::constant(format!("{table}.friction"), [surface.friction]).map(|[friction]| friction)
+            Fit::<S>::constant(format!("{table}.friction"), [surface.friction]).map(|_| surface.friction)
         };
         for (index, sphere) in self.spheres.iter().enumerate() {
             let table = format!("sphere[{index}]");
@@ -148,7 +148,8 @@ impl Description {
             let margin = units.length(plane.surface.margin);
             Fit::<S>::number(format!("{table}.margin"), margin.0)?;
             Fit::<S>::number(format!("{table}.margin"), margin.0)?;
-            let [friction] = Fit::constant(format!("{table}.friction"), [plane.surface.friction])?;
+            let friction = plane.surface.friction;
+            Fit::<S>::constant(format!("{table}.friction"), [friction])?;
             let plane = Plane::new(units.point(plane.point), Vec3::from_f64(plane.normal), margin);
             obstacles.push(Obstacle::Plane(plane.with_friction(friction)));
         }

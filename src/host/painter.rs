@@ -13,7 +13,7 @@ use super::run::Still;
 use super::shape::for_each_shape;
 use crate::cloth::Cloth;
 use crate::render::ground::Backdrop;
-use crate::render::pattern::{Border, CELL, Checks, Gingham, Pattern, Place, Stripes};
+use crate::render::pattern::{Border, CELL, Checks, Gingham, Pattern, Place, Stripes, Width};
 use crate::render::{Ball, Camera, Ground, Light, Look, Rod, Shaded, Shadow, View, Wireframe};
 use crate::units::{Length, Point, Units};
 use crate::vec3::Vec3;
@@ -174,7 +174,7 @@ impl Bounds {
 #[derive(Clone, Copy, Debug)]
 struct Woven {
     weave: Weave,
-    width: i32,
+    width: Width,
     tones: [Rgb888; 2],
 }
 
@@ -182,7 +182,7 @@ impl Woven {
     fn new(picture: &Picture, cells: i32) -> Self {
         Self {
             weave: picture.pattern,
-            width: (cells * CELL / picture.bands as i32).max(1),
+            width: Width::parts((cells * CELL / picture.bands as i32).max(1)),
             tones: picture.colours.map(|[red, green, blue]| Rgb888::new(red, green, blue)),
         }
     }

@@ -8,6 +8,7 @@ use crate::link::{Family, Links, OneByOne, Order, Visitor, one_by_one};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
+use crate::scalar::fit::is_positive;
 
 /// The most sweeps that a step spends on overlong links. Sweeps end as soon as there is none; one is usual, a few hundred are met
 /// where a solver leaves a sheet of 32 × 32 stretched to several times its size.
@@ -27,7 +28,9 @@ impl<L, S: Scalar> StrainLimited<L, S> {
     /// # Panics
     /// For any other limit.
     #[track_caller]
-    pub fn new(links: L, limit: S) -> Self {
+    pub fn new(links: L, limit: f64) -> Self {
+        assert!(is_positive(limit), "a strain limit is positive and finite");
+        let limit = S::from_f64(limit);
         assert!(limit > S::ZERO && limit.is_finite(), "a strain limit is positive and finite");
         assert!(S::FLOATS || limit < S::from_int(63), "fixed point holds strain limits below 63");
         Self { links, allowed: S::ONE + limit }

@@ -11,6 +11,7 @@ use crate::link::{Directions, Links, Undamped};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
+use crate::scalar::fit::{is_finite, is_not_negative};
 use crate::units::Units;
 
 /// Tethers from each particle to up to `N` pins.
@@ -29,8 +30,9 @@ impl<S: Scalar, const N: usize> Tether<S, N> {
     /// # Panics
     /// If the slack is negative or not finite.
     #[track_caller]
-    pub fn new<'a>(units: &Units, anchors: &'a [Node], slack: S) -> Result<Self, &'a [Node]> {
-        assert!(slack >= S::ZERO && slack.is_finite(), "a slack is finite, zero or above");
+    pub fn new<'a>(units: &Units, anchors: &'a [Node], slack: f64) -> Result<Self, &'a [Node]> {
+        assert!(is_finite(slack) && is_not_negative(slack), "a slack is finite, zero or above");
+        let slack = S::from_f64(slack);
         let sides = units.sides.map(|side| S::from_f64(side) * (S::ONE + slack));
         Vec::from_slice(anchors).map(|anchors| Self { anchors, sides }).map_err(|_| anchors)
     }

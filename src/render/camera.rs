@@ -3,6 +3,7 @@
 use embedded_graphics::geometry::{Point, Size};
 
 use super::view::View;
+use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
@@ -112,6 +113,17 @@ impl<S: Scalar> Camera<S> {
     /// The pixel at which a point (cells) appears, on or beside the screen; none for what is behind the camera or too near to it.
     pub fn project(&self, point: Vec3<S>) -> Option<Point> {
         self.spot(self.place(point)).map(|spot| Point::new(spot.x >> 8, spot.y >> 8))
+    }
+
+    /// The ray that a pixel shows: the inverse of [`project`](Self::project). It begins where things begin to be drawn.
+    pub fn ray(&self, pixel: Point) -> Ray<S> {
+        let Axes { right, up, forward } = self.axes;
+        let (x, y) = (self.slope_right(pixel.x), self.slope_up(pixel.y));
+        // at the depth of the target: the eye may be out of range
+        let through = self.target + right * x.divide(self.nearness) + up * y.divide(self.nearness);
+        let direction = forward + right * x + up * y;
+        let start = (Self::near() - S::ONE) * direction.length();
+        Ray::line(through, direction, start.divide(self.nearness))
     }
 
     /// A point's place as the eye sees it: to the right, up, and depth, in distances to the target (whose place is 0, 0, 1).
@@ -310,6 +322,30 @@ mod tests {
         check::<f64>();
         check::<f32>();
         check::<Q24>();
+    }
+
+    fn a_ray_goes_through_all_that_its_pixel_shows<S: Scalar>(view: &View, bound: f64) {
+        let camera = Camera::<S>::new(view, SCREEN);
+        for pixel in [(0, 0), (319, 0), (160, 120), (37, 201), (-40, 300)] {
+            let pixel = Point::new(pixel.0, pixel.1);
+            let ray = camera.ray(pixel);
+            for point in [[0.0, 0.0, 0.0], [14.0, 3.5, -6.0], [-9.0, 20.0, 11.0], [8.0, -17.0, 5.5]] {
+                let seen = camera.spot(camera.place(ray.foot(Vec3::from_f64(point)))).unwrap();
+                let [x, y] =
+                    [seen.x - 256 * pixel.x - 128, seen.y - 256 * pixel.y - 128].map(|part| f64::from(part) / 256.0);
+                assert!(x.abs().max(y.abs()) < bound, "{pixel:?} {point:?} in {}: {x}, {y}", S::NAME);
+            }
+        }
+    }
+
+    #[test]
+    fn rays_are_the_inverse_of_projection() {
+        let far = View::new(-70.0, 5.0).field_of_view(4.0).at(Place([1.0, 2.0, 3.0]), Length(400.0));
+        for view in [VIEW, far] {
+            a_ray_goes_through_all_that_its_pixel_shows::<f64>(&view, 0.01);
+            a_ray_goes_through_all_that_its_pixel_shows::<f32>(&view, 0.02);
+            a_ray_goes_through_all_that_its_pixel_shows::<Q24>(&view, 0.05);
+        }
     }
 
     #[test]

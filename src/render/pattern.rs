@@ -8,6 +8,28 @@ use crate::grid::Node;
 /// The length of a cell in a [`Place`].
 pub const CELL: i32 = 256;
 
+/// The width of a band or a square of a pattern.
+///
+/// ```
+/// use kerchief::render::pattern::{CELL, Width};
+///
+/// assert_eq!(Width::cells(2), Width::parts(2 * CELL));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Width(i32);
+
+impl Width {
+    /// So many cells.
+    pub const fn cells(cells: i32) -> Self {
+        Self(cells * CELL)
+    }
+
+    /// So many parts of [`CELL`]: for what is no whole number of cells.
+    pub const fn parts(parts: i32) -> Self {
+        Self(parts)
+    }
+}
+
 /// A place on a sheet at rest, in parts of [`CELL`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
@@ -74,8 +96,8 @@ impl<F: Fn(&Place) -> Rgb888> Pattern for F {
 /// Bands from the first row to the last, one of the second colour in the middle of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stripes {
-    /// The width of a band, parts of [`CELL`].
-    pub width: i32,
+    /// The width of a band.
+    pub width: Width,
     /// The two colours.
     pub tones: [Rgb888; 2],
 }
@@ -89,8 +111,8 @@ impl Pattern for Stripes {
 /// A chessboard with a square of the second colour in the middle of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Checks {
-    /// The side of a square, parts of [`CELL`].
-    pub width: i32,
+    /// The side of a square.
+    pub width: Width,
     /// The two colours.
     pub tones: [Rgb888; 2],
 }
@@ -105,8 +127,8 @@ impl Pattern for Checks {
 /// Bands of coloured threads both ways, as woven: where they cross the colour is full, where they meet plain ones it is half.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Gingham {
-    /// The width of a band, parts of [`CELL`].
-    pub width: i32,
+    /// The width of a band.
+    pub width: Width,
     /// The plain threads and the coloured ones.
     pub tones: [Rgb888; 2],
 }
@@ -122,8 +144,8 @@ impl Pattern for Gingham {
 /// A band along all edges around another pattern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Border<P> {
-    /// The band's width, parts of [`CELL`].
-    pub width: i32,
+    /// The band's width.
+    pub width: Width,
     /// The band's colour.
     pub tone: Rgb888,
     /// What it surrounds.
@@ -132,12 +154,12 @@ pub struct Border<P> {
 
 impl<P: Pattern> Pattern for Border<P> {
     fn tone(&self, at: &Place) -> Rgb888 {
-        if at.to_edge() < self.width { self.tone } else { self.inner.tone(at) }
+        if at.to_edge() < self.width.0 { self.tone } else { self.inner.tone(at) }
     }
 }
 
 /// Whether a place lies in a band of the second colour, one of which is centred on the extent.
-fn is_band(place: i32, extent: i32, width: i32) -> bool {
+fn is_band(place: i32, extent: i32, Width(width): Width) -> bool {
     let width = width.max(1);
     (place - extent / 2 + width / 2).div_euclid(width) % 2 == 0
 }
@@ -175,12 +197,16 @@ mod tests {
     #[test]
     fn patterns_are_centred() {
         assert_eq!(rows(&Rgb888::RED), ["#######"; 5]);
-        assert_eq!(rows(&Stripes { width: CELL, tones: TONES }), [".#.#.#."; 5]);
-        let checks = Checks { width: CELL, tones: TONES };
+        assert_eq!(rows(&Stripes { width: Width::cells(1), tones: TONES }), [".#.#.#."; 5]);
+        let checks = Checks { width: Width::cells(1), tones: TONES };
         assert_eq!(rows(&checks), [".#.#.#.", "#.#.#.#", ".#.#.#.", "#.#.#.#", ".#.#.#."]);
-        let gingham = Gingham { width: CELL, tones: TONES };
+        let gingham = Gingham { width: Width::cells(1), tones: TONES };
         assert_eq!(rows(&gingham), ["+#+#+#+", ".+.+.+.", "+#+#+#+", ".+.+.+.", "+#+#+#+"]);
-        let border = Border { width: CELL, tone: Rgb888::BLUE, inner: Stripes { width: CELL, tones: TONES } };
+        let border = Border {
+            width: Width::cells(1),
+            tone: Rgb888::BLUE,
+            inner: Stripes { width: Width::cells(1), tones: TONES },
+        };
         assert_eq!(rows(&border), ["bbbbbbb", "b#.#.#b", "b#.#.#b", "b#.#.#b", "bbbbbbb"]);
     }
 }

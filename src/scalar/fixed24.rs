@@ -1,5 +1,6 @@
 //! Fixed point with 8 bits before the point and 24 after it.
 
+mod conversion;
 mod exact;
 mod kernel;
 mod newton;

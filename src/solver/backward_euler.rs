@@ -48,6 +48,8 @@ impl Default for BackwardEuler {
 
 /// The five vectors of Newton's method and conjugate gradients.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "S: Scalar + serde::Deserialize<'de>")))]
 pub struct Memory<S, const W: usize, const H: usize> {
     correction: Vectors<S, W, H>,
     step: Vectors<S, W, H>,

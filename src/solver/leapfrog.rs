@@ -28,6 +28,8 @@ impl Leapfrog {
 
 /// The force on every particle, and its velocity at the start of a substep.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "S: Scalar + serde::Deserialize<'de>")))]
 pub struct Memory<S, const W: usize, const H: usize> {
     gain: Vectors<S, W, H>,
     start: Vectors<S, W, H>,

@@ -115,8 +115,16 @@ const CALM: f64 = 0.02;
 
 /// What a sheet's motion leaves behind.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        deserialize = "S: Scalar + serde::Deserialize<'de>, T: serde::Deserialize<'de>, P: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Memory<S, T, P, const W: usize, const H: usize> {
     /// The velocity before the last substep, cells per tick.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::saved::finite"))]
     earlier: Vectors<S, W, H>,
     /// The multiplier of each link in the last sweep, at its upper or left particle, in cells over the dividend of the link's strength.
     tension: T,
@@ -150,6 +158,7 @@ type MemoryOf<S, L, const W: usize, const H: usize> = Memory<
 
 /// What is known of the past.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 enum History {
     /// Nothing.
     None,

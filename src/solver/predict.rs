@@ -53,6 +53,7 @@ pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     let mut below = Vec3::row(Vec3::ZERO);
     if forces.is_field() {
         let at = |row: usize| Row {
+            index: row,
             position: &particles.position.0[row],
             velocity: &particles.velocity.0[row],
             inverse_mass: &particles.inverse_mass.0[row],

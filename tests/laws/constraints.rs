@@ -71,7 +71,7 @@ fn thesis() -> Model {
 fn no_link_is_longer_than_the_limit_after_a_step_at_pins_too() {
     fn check<S: Scalar>() {
         let mut rig = Rig::<S, _, 16, 16>::new(&thesis(), Pace::new(0.1, 1), Verlet { sweeps: 4 })
-            .with_links(|_, springs| StrainLimited::new((springs.0, springs.1), S::from_f64(0.1)));
+            .with_links(|_, springs| StrainLimited::new((springs.0, springs.1), 0.1));
         for frame in 0..50 {
             rig.step();
             let longest = measure::strain(&rig.cloth, &rig.scene.links).largest.to_f64();

@@ -2,7 +2,8 @@
 
 use kerchief::units::Length;
 use kerchief::{
-    Capsule, Collider, Leapfrog, Lines, Plane, Q13, Q24, Scalar, Solver, Sphere, Units, Vec3, Verlet, Xpbd,
+    Capsule, Cloth, Collider, Gravity, Leapfrog, Lines, Plane, Q13, Q24, Scalar, Scene, Solver, Sphere, Stretch, Units,
+    Vec3, Verlet, Xpbd, measure,
 };
 
 use rig::reference::{Model, Pose, Sheet};
@@ -41,7 +42,7 @@ fn no_particle_comes_nearer_than_the_margin() {
         let length = |x: [f64; 3], from: [f64; 3]| (0..3).map(|k| (x[k] - from[k]).powi(2)).sum::<f64>().sqrt();
         let sphere = |units: &Units| Sphere::<S>::new(units.point(centre), units.length(0.3), units.length(0.02));
         assert_kept::<S, _, _>(Lines::default(), sphere, 0.32, |x| length(x, centre));
-        assert_kept::<S, _, _>(Xpbd, |units| sphere(units).with_friction(S::HALF), 0.32, |x| length(x, centre));
+        assert_kept::<S, _, _>(Xpbd, |units| sphere(units).with_friction(0.5), 0.32, |x| length(x, centre));
         let capsule = |units: &Units| {
             Capsule::<S>::new(units.point(centre), units.point(end), units.length(0.1), units.length(0.02))
         };
@@ -58,13 +59,35 @@ fn no_particle_comes_nearer_than_the_margin() {
     check::<Q24>();
 }
 
+/// A collider that may be there is one, or none; and a coefficient of friction does not choose the number type.
+#[test]
+fn a_collider_that_is_there_or_not() {
+    const UNITS: Units = Units::sheet([6, 6], [0.3, 0.3], 1e-3, 0.02, 4);
+    fn end<C: Collider<Q24>>(colliders: C) -> u32 {
+        let mut cloth = Cloth::<Q24, 6, 6>::lay(&UNITS, UNITS.point([-0.15, -0.15, 0.0]));
+        let gravity = Gravity::new(UNITS.acceleration([0.5, 0.0, -9.81]));
+        let mut scene = Scene::new(&UNITS, gravity, Stretch::new(&UNITS, UNITS.stiffness(50.0)), colliders, Xpbd);
+        for _ in 0..30 {
+            scene.step_one(&mut cloth, &mut scene.memory());
+            scene.advance::<Q24>();
+        }
+        measure::digest(&cloth)
+    }
+    let ball = Sphere::new(UNITS.point([0.0, 0.0, -0.2]), UNITS.length(0.1), UNITS.length(0.02)).with_friction(0.3);
+    let ball = ball.with_velocity(UNITS.velocity([0.05, 0.0, 0.0]));
+    assert_eq!(end(Some(ball)), end(ball));
+    assert_eq!(end(None::<Sphere<Q24>>), end(()));
+    assert_eq!(end((Some(ball), None::<Plane<Q24>>)), end(ball));
+    assert_ne!(end(ball), end(()));
+}
+
 /// How far a sheet on a slope has slid after 0.5 s, m: the plane is level and gravity tilts.
 fn slid<S: Scalar, V: Solver<S>>(solver: V, substeps: u32, slope: f64, friction: f64) -> f64 {
     let gravity = [9.81 * slope.sin(), 0.0, -9.81 * slope.cos()];
     let model = Model { drag: 0.0, ..free(gravity) };
     let plane = |units: &Units| {
         let up = Vec3::new(S::ZERO, S::ZERO, S::ONE);
-        Plane::<S>::new(units.point([0.0; 3]), up, Length(0.0)).with_friction(S::from_f64(friction))
+        Plane::<S>::new(units.point([0.0; 3]), up, Length(0.0)).with_friction(friction)
     };
     let mut rig = Rig::<S, _, 8, 8>::new(&model, Pace::new(0.02, substeps), solver).with_colliders(plane);
     rig.run(25);

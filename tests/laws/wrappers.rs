@@ -23,7 +23,7 @@ fn damped<S: Scalar, L>(links: L) -> Damped<L, S> {
 }
 
 fn limited<S: Scalar, L>(links: L) -> StrainLimited<L, S> {
-    StrainLimited::new(links, S::from_f64(0.1))
+    StrainLimited::new(links, 0.1)
 }
 
 /// Families of springs, of dampers, and the longest edge (cells) after a frame that starts with a corner three cells away.

@@ -27,10 +27,10 @@ impl<S: Scalar> Solver<S> for SemiImplicitEuler {
         moment: Moment,
     ) {
         *gain = Vectors::filled(Vec3::ZERO);
-        for (row, gain) in gain.0.iter_mut().enumerate() {
-            let (position, velocity) = (&particles.position.0[row], &particles.velocity.0[row]);
-            let inverse_mass = &particles.inverse_mass.0[row];
-            physics.forces.particles(Row { position, velocity, inverse_mass }, gain);
+        for (index, gain) in gain.0.iter_mut().enumerate() {
+            let (position, velocity) = (&particles.position.0[index], &particles.velocity.0[index]);
+            let inverse_mass = &particles.inverse_mass.0[index];
+            physics.forces.particles(Row { index, position, velocity, inverse_mass }, gain);
         }
         physics.links.springs(&mut Pull { particles, gain, moment });
         for node in Grid::<S, W, H>::nodes() {

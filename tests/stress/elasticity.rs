@@ -44,7 +44,7 @@ impl Thesis {
         let stretch = Stretch::new(&units, units.stiffness(94_270.0));
         match limit {
             None => self.play_with(stretch, solver, &units),
-            Some(limit) => self.play_with(StrainLimited::new(stretch, Counted::from_f64(limit)), solver, &units),
+            Some(limit) => self.play_with(StrainLimited::new(stretch, limit), solver, &units),
         }
     }
 

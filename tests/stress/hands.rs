@@ -53,7 +53,7 @@ impl Ordeal for Fired {
     fn begin<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(&self, stage: &mut Stage<S, V, W, H>) {
         let units = stage.units;
         let ball = Sphere::new(units.point([0.0, -1.0, 0.05]), units.length(0.2), units.length(0.02));
-        stage.scene.colliders = ball.with_velocity(units.velocity([0.0, self.0, 0.0])).with_friction(S::HALF);
+        stage.scene.colliders = ball.with_velocity(units.velocity([0.0, self.0, 0.0])).with_friction(0.5);
     }
     fn disturb<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(&self, stage: &mut Stage<S, V, W, H>, _: u32) {
         // through: it stops where nothing of it is left to be met

@@ -159,11 +159,11 @@ impl<S: Scalar> Held<S> {
             setup.shear.map(strengths).map(|(k, d)| Damped::new(Shear::new(units, k), d)),
             setup.bend.map(strengths).map(|(k, d)| Damped::new(Bend::new(units, k), d)),
         );
-        let limit = setup.limit.map(|limit| StrainLimited::new(springs, S::from_f64(limit)));
+        let limit = setup.limit.map(|limit| StrainLimited::new(springs, limit));
         let tether = setup.tether.map(|slack| {
             let anchors: heapless::Vec<Node, SIDE> =
                 setup.pins.iter().map(|&[column, row]| Node::new(column, row)).collect();
-            let Ok(tether) = Tether::new(units, &anchors, S::from_f64(slack)) else {
+            let Ok(tether) = Tether::new(units, &anchors, slack) else {
                 unreachable!("as many anchors as pins");
             };
             tether
@@ -213,7 +213,7 @@ impl<S: Scalar> Collider<S> for Obstacle<S> {
 }
 
 fn colliders<S: Scalar>(setup: &Setup, units: &Units) -> heapless::Vec<Obstacle<S>, 3> {
-    let surface = |surface: Surface| (units.length(surface.margin), S::from_f64(surface.friction));
+    let surface = |surface: Surface| (units.length(surface.margin), surface.friction);
     let ball = setup.ball.map(|ball| {
         let (margin, friction) = surface(ball.surface);
         let sphere = Sphere::new(units.point(ball.centre), units.length(ball.radius), margin);

@@ -199,10 +199,10 @@ fn a_full_disk_leaves_what_was_there() {
 fn a_place_that_is_taken() {
     let room = room();
     let room = room.path();
-    for name in ["report.json", "positions.csv", "animation.gif", "frame-00005.png"] {
+    for name in ["report.json", "positions.csv", "animation.gif", "frame-00005.png", "frame-00005.obj"] {
         let out = format!("out-{name}");
         fs::create_dir_all(room.join(&out).join(name)).unwrap();
-        let args = ["small.toml", "--csv", "--gif", "--png", "--every", "5", "--out", &out];
+        let args = ["small.toml", "--csv", "--gif", "--png", "--obj", "--every", "5", "--out", &out];
         refuses(room, &args, &format!("{out}/{name}: is a directory"));
         assert_eq!(names(&room.join(&out)), [name], "nothing beside it");
     }
@@ -490,6 +490,65 @@ fn positions_are_those_of_the_recorded_frames() {
         }
     }
     assert_eq!(lines.next(), None);
+}
+
+/// The numbers behind a word in each line of an OBJ that begins with it.
+fn obj_lines(text: &str, word: &str) -> Vec<Vec<f64>> {
+    let lines = text.lines().filter_map(|line| line.strip_prefix(word)?.strip_prefix(' '));
+    let numbers = |line: &str| line.split([' ', '/']).map(|number| number.parse().unwrap()).collect();
+    lines.map(numbers).collect()
+}
+
+#[test]
+fn meshes_are_those_of_the_recorded_frames() {
+    let room = room();
+    let room = room.path();
+    succeeds(room, &["small.toml", "--obj", "--csv", "--every", "6"]);
+    let files = ["frame-00000.obj", "frame-00006.obj", "frame-00010.obj"];
+    assert_eq!(names(&room.join("out")), [&files[..], &["positions.csv", "report.json"]].concat());
+    let table = fs::read_to_string(room.join("out/positions.csv")).unwrap();
+    let number = |field: &str| field.parse::<f64>().unwrap();
+    let mut rows = table.lines().skip(1).map(|line| line.split(',').skip(3).map(number).collect::<Vec<_>>());
+    for name in files {
+        let text = fs::read_to_string(room.join("out").join(name)).unwrap();
+        assert!(text.starts_with("# small, frame "), "{text}");
+        let (places, normals) = (obj_lines(&text, "v"), obj_lines(&text, "vn"));
+        assert_eq!(places, rows.by_ref().take(16).collect::<Vec<_>>(), "{name}: every digit comes back");
+        for normal in &normals {
+            assert!((normal.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-5, "{name}: {normal:?}");
+        }
+        let texture = obj_lines(&text, "vt");
+        assert_eq!((texture.len(), &texture[0], &texture[15]), (16, &vec![0.0, 1.0], &vec![1.0, 0.0]));
+        let faces = obj_lines(&text, "f");
+        assert_eq!((faces.len(), normals.len()), (18, 16));
+        for face in faces {
+            let corners = [0, 3, 6].map(|corner| {
+                assert_eq!(face[corner..corner + 3], [face[corner]; 3], "{name}");
+                face[corner] as usize - 1
+            });
+            let [a, b, c] = corners.map(|corner| &places[corner]);
+            let [d, e] = [b, c].map(|end| [0, 1, 2].map(|axis| end[axis] - a[axis]));
+            let across = [0, 1, 2].map(|k| d[(k + 1) % 3] * e[(k + 2) % 3] - d[(k + 2) % 3] * e[(k + 1) % 3]);
+            for corner in corners {
+                let facing: f64 = across.iter().zip(&normals[corner]).map(|(a, b)| a * b).sum();
+                assert!(facing > 0.0, "{name}: {face:?}");
+            }
+        }
+    }
+    assert_eq!(rows.next(), None);
+}
+
+#[test]
+fn the_mesh_of_a_chain_is_a_line() {
+    let room = room();
+    let chain = SMALL.replace("columns = 4\nrows = 4\nwidth = 1.0", "columns = 1\nrows = 32\nwidth = 0.0");
+    let chain = chain.replace("density = 0.2", "mass = 1e-3").replace("[3, 0]", "[0, 31]");
+    fs::write(room.path().join("chain.toml"), chain).unwrap();
+    succeeds(room.path(), &["chain.toml", "--obj", "--every", "10"]);
+    let text = fs::read_to_string(room.path().join("out/frame-00010.obj")).unwrap();
+    assert_eq!([obj_lines(&text, "v").len(), obj_lines(&text, "vt").len(), obj_lines(&text, "f").len()], [32, 32, 0]);
+    let line = &obj_lines(&text, "l")[0];
+    assert!(line.chunks(2).enumerate().all(|(index, vertex)| vertex == [index as f64 + 1.0; 2]), "{line:?}");
 }
 
 #[test]

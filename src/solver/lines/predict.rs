@@ -52,11 +52,12 @@ pub(super) fn second_order<S: Scalar, F: Force<S>, T, P, const W: usize, const H
     for row in 0..H {
         let mut below_gain = Vec3::row(Vec3::ZERO);
         if let Some([position, velocity]) = &here {
-            let upper = Row { position, velocity, inverse_mass: &particles.inverse_mass.0[row] };
+            let upper = Row { index: row, position, velocity, inverse_mass: &particles.inverse_mass.0[row] };
             forces.particles(upper, &mut gain);
             let below = (row + 1 < H).then(|| ahead(particles, memory, row + 1, start, moment));
             if let Some([position, velocity]) = &below {
-                let lower = Row { position, velocity, inverse_mass: &particles.inverse_mass.0[row + 1] };
+                let inverse_mass = &particles.inverse_mass.0[row + 1];
+                let lower = Row { index: row + 1, position, velocity, inverse_mass };
                 forces.cells([upper, lower], [&mut gain, &mut below_gain]);
             }
             here = below;

@@ -39,6 +39,8 @@ const fn longer(side: usize) -> u32 {
 
 /// Into how many parts substeps are split.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(into = "[u8; 2]", try_from = "[u8; 2]"))]
 pub(super) struct Split {
     halvings: u8,
     /// For how many substeps parts have been solved easily.
@@ -79,6 +81,26 @@ impl Split {
             *self = Self { halvings: before.saturating_sub(1), easy: 0 };
         }
         self.halvings != before
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<Split> for [u8; 2] {
+    fn from(Split { halvings, easy }: Split) -> Self {
+        [halvings, easy]
+    }
+}
+
+/// Further no substep is split: with more parts than that a damaged memory would never end a step.
+#[cfg(feature = "serde")]
+const MOST: u8 = 16;
+
+#[cfg(feature = "serde")]
+impl TryFrom<[u8; 2]> for Split {
+    type Error = &'static str;
+
+    fn try_from([halvings, easy]: [u8; 2]) -> Result<Self, Self::Error> {
+        if halvings <= MOST && easy < EASY { Ok(Self { halvings, easy }) } else { Err("no solver counts that far") }
     }
 }
 

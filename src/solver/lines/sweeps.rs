@@ -7,6 +7,7 @@
 
 /// The sweeps that a calm sheet takes at least; 0 where they change as they need. All zeros at first, so that a solver's memory needs no copy of its start.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Kept(u8);
 
 impl Kept {

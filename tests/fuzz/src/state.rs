@@ -64,9 +64,9 @@ fn step<S: Scalar>(bits: &[u32; NUMBERS], chosen: Option<u8>, number: fn(u32) ->
     let [a, b] = [[0.1, 0.0, 0.0], [0.4, 0.3, 0.0]].map(|end| UNITS.point(end));
     let rod = Capsule::new(a, b, UNITS.length(0.1), UNITS.length(0.05));
     let stretch = Damped::new(Stretch::new(&UNITS, UNITS.stiffness(1e3)), UNITS.damping(0.1));
-    let Ok(tether) = Tether::<S, 1>::new(&UNITS, &[Node::new(0, 0)], S::ZERO) else { unreachable!("one fits") };
+    let Ok(tether) = Tether::<S, 1>::new(&UNITS, &[Node::new(0, 0)], 0.0) else { unreachable!("one fits") };
     let links = (
-        StrainLimited::new(stretch, S::from_f64(0.1)),
+        StrainLimited::new(stretch, 0.1),
         Shear::new(&UNITS, UNITS.stiffness(1e6)),
         Bend::new(&UNITS, UNITS.compliance(0.0)),
         tether,
