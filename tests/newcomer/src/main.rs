@@ -18,7 +18,8 @@ fn play<S: Scalar>() -> Picture {
     let hand = sheet.hand(0.05, 0.5, 0.1); // m/N, N·s/m, m
     let forces = (sheet.gravity([0.0, 0.0, -9.81]), wind, hand);
     let ball = sheet.moving_ball([0.5, -1.0, 0.2], 0.1, 0.01, [0.0, 0.8, 0.0]).with_friction(0.3);
-    let mut scene = sheet.scene(forces, sheet.springs(&DENIM, 0.5), ball, sheet.resting(Stillness::DEFAULT, Lines::new()));
+    let mut scene =
+        sheet.scene(forces, sheet.springs(&DENIM, 0.5), ball, sheet.resting(Stillness::DEFAULT, Lines::new()));
     let mut memory = scene.memory();
 
     scene.forces.2.grab(&cloth, Node::new(23, 15));

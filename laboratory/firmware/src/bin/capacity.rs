@@ -65,7 +65,8 @@ macro_rules! play {
             View::new(20.0, 10.0).fit(UNITS.point([0.0, 0.0, 0.0]), UNITS.point([1.0, 0.1, 1.0]), SCREEN);
         // made where they stay: what is moved there is on the stack meanwhile
         static CLOTH: ConstStaticCell<Cloth<Q24, $side, $side>> = ConstStaticCell::new(Cloth::BLANK);
-        static MEMORY: ConstStaticCell<<$kind as Solver<Q24>>::Memory<Springs, $side, $side>> = ConstStaticCell::new($memory);
+        static MEMORY: ConstStaticCell<<$kind as Solver<Q24>>::Memory<Springs, $side, $side>> =
+            ConstStaticCell::new($memory);
         static SHADED: ConstStaticCell<Shaded<Look<Rgb888, Rgb888>, $side, $side>> =
             ConstStaticCell::new(Shaded::new(look()));
         static PICTURE: ConstStaticCell<Picture> = ConstStaticCell::new(Picture::new());

@@ -41,8 +41,11 @@ impl Bench for Forever {
 
 /// A function of its own, so that what a step calls can be told from what the start calls.
 #[inline(never)]
-fn frame<S, F, L, C, V>(scene: &Scene<F, L, C, V>, cloth: &mut Cloth<S, SIDE, SIDE>, memory: &mut V::Memory<L, SIDE, SIDE>)
-where
+fn frame<S, F, L, C, V>(
+    scene: &Scene<F, L, C, V>,
+    cloth: &mut Cloth<S, SIDE, SIDE>,
+    memory: &mut V::Memory<L, SIDE, SIDE>,
+) where
     S: Scalar,
     F: Force<S>,
     L: Links<S>,
