@@ -4,7 +4,10 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, Location, catch_unwind, set_hook, take_hook};
 use std::sync::Mutex;
 
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use kerchief::material::{DENIM, Material};
+use kerchief::render::{Ball, Ground, Light, Rod, View};
 use kerchief::rest::{Resting, Stillness};
 use kerchief::units::{Acceleration, Airflow, DragRate, Length, Point, Strength};
 use kerchief::{
@@ -19,7 +22,13 @@ use proptest::test_runner::RngSeed;
 const UNITS: Units = Units::sheet([4, 4], [0.3, 0.3], 1e-3, 1.0 / 60.0, 4);
 
 /// Beginnings of the sentences in which constructors refuse.
-const SENTENCES: [&str; 35] = [
+const SENTENCES: [&str; 41] = [
+    "a direction's angles are finite",
+    "a place that is looked at is finite",
+    "the eye is at least one cell away from its target",
+    "a field of view lies between 0 and 180 degrees",
+    "a screen has a pixel at least",
+    "a ground reaches somewhere",
     "a sheet needs two particles and a positive size",
     "a sheet needs a finite size",
     "a particle needs a positive mass",
@@ -181,6 +190,26 @@ fn nothing_is_softer_than_nothing() {
     refused("drag", "a damping factor", || UNITS.verlet_damping(1.0));
     assert_eq!(UNITS.stiffness(f64::INFINITY), UNITS.compliance(0.0), "rigid");
     assert_eq!(UNITS.stiffness(-0.0).value(), 0.0);
+}
+
+#[test]
+fn pictures_have_a_view() {
+    let view = View::new(30.0, 20.0);
+    let [origin, metre] = [[0.0; 3], [1.0; 3]].map(|place| UNITS.point(place));
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        refused("azimuth", "a direction's angles are finite", || View::new(bad, 0.0));
+        refused("elevation", "a direction's angles are finite", || View::new(0.0, bad));
+        refused("lamp", "a direction's angles are finite", || Light::new(bad, bad));
+        refused("target", "a place that is looked at is finite", || view.at(Point([0.0, bad, 0.0]), Length(3.0)));
+        refused("distance", "the eye is at least one cell", || view.at(origin, Length(bad)));
+        refused("field", "a field of view lies", || view.field_of_view(bad));
+    }
+    refused("screen", "a screen has a pixel", || view.fit(origin, metre, Size::new(0, 100)));
+    for bad in [f64::NAN, -1.0] {
+        refused("reach", "a ground reaches somewhere", || Ground::new(origin, Length(bad)));
+        refused("radius", "a radius or margin is zero", || Ball::<f32>::new(origin, Length(bad), Rgb888::BLACK));
+        refused("radius", "a radius or margin is zero", || Rod::<Q24>::new(origin, metre, Length(bad), Rgb888::BLACK));
+    }
 }
 
 #[test]

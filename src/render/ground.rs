@@ -73,6 +73,7 @@ impl Ground {
     ///
     /// # Panics
     /// At compile time in a constant: for a `reach` that is not positive.
+    #[track_caller]
     pub const fn new(centre: Place, reach: Length) -> Self {
         assert!(reach.0 > 0.0, "a ground reaches somewhere");
         Self {

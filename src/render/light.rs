@@ -6,6 +6,7 @@ use super::camera::Camera;
 use super::quotient::quotient;
 use super::view::sin_cos;
 use crate::scalar::Scalar;
+use crate::scalar::fit::is_finite;
 use crate::vec3::Vec3;
 
 /// A lamp far away, the sky above and what the ground reflects.
@@ -26,7 +27,12 @@ pub struct Light {
 
 impl Light {
     /// A warm lamp in this direction (degrees, as in [`View::new`](super::View::new)) under a pale sky.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for an angle that is not finite.
+    #[track_caller]
     pub const fn new(azimuth: f64, elevation: f64) -> Self {
+        assert!(is_finite(azimuth) && is_finite(elevation), "a direction's angles are finite");
         let ((sa, ca), (se, ce)) = (sin_cos(azimuth), sin_cos(elevation));
         Self {
             towards: [ce * sa, -ce * ca, se],

@@ -4,6 +4,7 @@ use core::f64::consts::PI;
 
 use embedded_graphics::geometry::Size;
 
+use crate::scalar::fit::is_finite;
 use crate::units::{Length, Point};
 
 /// A look at a scene from outside, in cells and degrees.
@@ -39,7 +40,12 @@ const MARGIN: f64 = 0.04;
 
 impl View {
     /// A look at the origin from this direction (degrees), 50 cells away, with a field of view of 30°.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for an angle that is not finite.
+    #[track_caller]
     pub const fn new(azimuth: f64, elevation: f64) -> Self {
+        assert!(is_finite(azimuth) && is_finite(elevation), "a direction's angles are finite");
         Self { target: [0.0; 3], distance: 50.0, azimuth: sin_cos(azimuth), elevation: sin_cos(elevation), field: 0.0 }
             .field_of_view(30.0)
     }
@@ -49,6 +55,7 @@ impl View {
     /// # Panics
     /// At compile time in a constant: for an angle outside of that range.
     #[must_use]
+    #[track_caller]
     pub const fn field_of_view(self, degrees: f64) -> Self {
         assert!(degrees > 0.0 && degrees < 180.0, "a field of view lies between 0 and 180 degrees");
         let (sin, cos) = sin_cos(degrees / 2.0);
@@ -58,17 +65,30 @@ impl View {
     /// Looks at `target` from `distance` away.
     ///
     /// # Panics
-    /// At compile time in a constant: for a distance below one cell.
+    /// At compile time in a constant: for a distance below one cell, and for what is not finite.
     #[must_use]
+    #[track_caller]
     pub const fn at(self, target: Point, distance: Length) -> Self {
-        assert!(distance.0 >= 1.0, "the eye is at least one cell away from its target");
+        let [x, y, z] = target.0;
+        assert!(is_finite(x) && is_finite(y) && is_finite(z), "a place that is looked at is finite");
+        assert!(distance.0 >= 1.0 && is_finite(distance.0), "the eye is at least one cell away from its target");
+        self.from(target, distance)
+    }
+
+    /// The same for a box of any extent, as of a sheet that has exploded.
+    const fn from(self, target: Point, distance: Length) -> Self {
         Self { target: target.0, distance: distance.0, ..self }
     }
 
     /// Comes as near as possible while the whole box from `low` to `high` stays on a screen of this size, with a margin of 4 % of
     /// the screen on each side.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for a screen without a pixel.
     #[must_use]
+    #[track_caller]
     pub const fn fit(self, low: Point, high: Point, screen: Size) -> Self {
+        assert!(screen.width > 0 && screen.height > 0, "a screen has a pixel at least");
         let shorter = if screen.width < screen.height { screen.width } else { screen.height } as f64;
         let slopes = [
             self.field * (1.0 - 2.0 * MARGIN) * screen.width as f64 / shorter,
@@ -104,7 +124,7 @@ impl View {
             middle[1] + shift[0] * right[1] + shift[1] * up[1],
             middle[2] + shift[0] * right[2] + shift[1] * up[2],
         ];
-        self.at(Point(target), Length(distance.max(1.0)))
+        self.from(Point(target), Length(distance.max(1.0)))
     }
 
     /// Right, up and forward as seen by the eye: unit vectors.

@@ -28,7 +28,12 @@ pub(super) const PAINT: Finish = Finish { gloss: Rgb888::new(110, 110, 110), pol
 
 impl<S: Scalar> Ball<S> {
     /// A ball of this place, radius and colour.
+    ///
+    /// # Panics
+    /// For a radius that is negative or beyond the range of the number type.
+    #[track_caller]
     pub fn new(centre: Place, radius: Length, tone: Rgb888) -> Self {
+        radius.check_size::<S>();
         Self { centre: centre.to_vec(), radius: S::from_f64(radius.0), tone }
     }
 

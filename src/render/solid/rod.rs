@@ -29,7 +29,12 @@ pub struct Rod<S> {
 
 impl<S: Scalar> Rod<S> {
     /// A rod with these ends of its axis, this radius and colour.
+    ///
+    /// # Panics
+    /// For a radius that is negative or beyond the range of the number type.
+    #[track_caller]
     pub fn new(a: Place, b: Place, radius: Length, tone: Rgb888) -> Self {
+        radius.check_size::<S>();
         Self { a: a.to_vec(), b: b.to_vec(), radius: S::from_f64(radius.0), tone }
     }
 
