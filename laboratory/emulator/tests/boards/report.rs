@@ -10,7 +10,7 @@ use crate::figures::{Figure, PROCESSORS};
 use crate::measure::strains;
 
 const PAGE: &str = "docs/instructions.md";
-const README: &str = "README.md";
+const GUIDE: &str = "docs/guide/boards.md";
 const FIXED_POINT: &str = "docs/fixed-point.md";
 /// Around the tables of these two.
 const MARKS: [&str; 2] = ["<!-- figures of boards -->\n", "<!-- end of figures -->\n"];
@@ -118,13 +118,13 @@ fn path(page: &str) -> PathBuf {
 
 pub(crate) fn write(figures: &[Figure]) {
     fs::write(path(PAGE), page(figures)).expect("docs/instructions.md can be written");
-    fs::write(path(README), readme(figures)).expect("README.md can be written");
+    fs::write(path(GUIDE), guide(figures)).expect("the guide can be written");
     fs::write(path(FIXED_POINT), fixed_point(figures)).expect("docs/fixed-point.md can be written");
 }
 
 /// Holds the pages to the committed figures.
 pub(crate) fn check(figures: &[Figure]) {
-    for (path, expected) in [(PAGE, page(figures)), (README, readme(figures)), (FIXED_POINT, fixed_point(figures))] {
+    for (path, expected) in [(PAGE, page(figures)), (GUIDE, guide(figures)), (FIXED_POINT, fixed_point(figures))] {
         let found = fs::read_to_string(self::path(path)).expect("a page can be read");
         assert!(found == expected, "{path} doesn't show docs/instructions.csv");
     }
@@ -279,8 +279,8 @@ fn fixed_point(figures: &[Figure]) -> String {
     replaced(FIXED_POINT, &table)
 }
 
-/// The README with its table.
-fn readme(figures: &[Figure]) -> String {
+/// The guide to boards with its table.
+fn guide(figures: &[Figure]) -> String {
     let figures = Figures(figures);
     let mut table = head(&["16 × 16 particles", "number"], &PROCESSORS);
     for number in figures.numbers() {
@@ -301,7 +301,7 @@ fn readme(figures: &[Figure]) -> String {
     let [xpbd, lines] = ["xpbd", "lines"].map(memory);
     let _ =
         writeln!(table, "\nA program that moves such a sheet takes {xpbd} with XPBD, {lines} with the line solver.");
-    replaced(README, &table)
+    replaced(GUIDE, &table)
 }
 
 fn thousands(figure: &Figure) -> [String; 3] {

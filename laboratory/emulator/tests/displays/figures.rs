@@ -1,4 +1,4 @@
-//! The README's figures of boards with displays.
+//! The guide's figures of boards with displays.
 
 use std::fs;
 use std::sync::Mutex;
@@ -16,13 +16,13 @@ pub(crate) struct Figures {
     pub(crate) rate: u32,
 }
 
-/// Holds the row of a board in the README's table to what was measured; with `UPDATE_DISPLAYS=1` it is written.
+/// Holds the row of a board in the guide's table to what was measured; with `UPDATE_DISPLAYS=1` it is written.
 pub(crate) fn check(board: &str, figures: &Figures) {
     let _alone = FILE.lock();
-    let readme = emulator::root().join("README.md");
-    let text = fs::read_to_string(&readme).expect("README.md can be read");
+    let guide = emulator::root().join("docs/guide/boards.md");
+    let text = fs::read_to_string(&guide).expect("the guide can be read");
     let start = format!("| `{board}`, thousands of ");
-    let row = text.lines().find(|line| line.starts_with(&start)).expect("README.md has the board's row");
+    let row = text.lines().find(|line| line.starts_with(&start)).expect("the guide has the board's row");
     let thousands = figures.parts.map(|part| (part + 500) / 1000);
     let sum = (figures.parts.iter().sum::<u32>() + 500) / 1000;
     let found = [&thousands[..], &[sum, figures.rate]].concat();
@@ -30,7 +30,7 @@ pub(crate) fn check(board: &str, figures: &Figures) {
         let name = row.split('|').nth(1).expect("a row has cells");
         let cells: Vec<_> = found.iter().map(u32::to_string).collect();
         let new = format!("|{name}| {} |", cells.join(" | "));
-        fs::write(readme, text.replace(row, &new)).expect("README.md can be written");
+        fs::write(guide, text.replace(row, &new)).expect("the guide can be written");
         return;
     }
     let shown: Vec<u32> = row.split('|').skip(2).filter_map(|cell| cell.trim().parse().ok()).collect();
@@ -38,6 +38,6 @@ pub(crate) fn check(board: &str, figures: &Figures) {
     for (shown, found) in shown.into_iter().zip(found) {
         // thousands and rates are rounded
         let near = (f64::from(shown) - f64::from(found)).abs() <= (TOLERANCE * f64::from(shown)).max(1.0);
-        assert!(near, "{board}: README.md shows {shown} where {found} was measured: {row}");
+        assert!(near, "{board}: the guide shows {shown} where {found} was measured: {row}");
     }
 }
