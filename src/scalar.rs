@@ -9,7 +9,6 @@
 pub(crate) mod fit;
 mod fixed24;
 mod float;
-#[cfg(any(test, all(not(feature = "std"), target_abi = "eabihf")))]
 mod root;
 mod rounding;
 mod wide;

@@ -1,6 +1,6 @@
 //! `f32` and `f64`.
 
-use super::{Rest, Scalar};
+use super::{Rest, Scalar, root};
 
 /// A number's bits, the same for all that are undefined: which of them an operation gives, Rust leaves to the compiler.
 trait CanonicalBits {
@@ -134,29 +134,6 @@ macro_rules! float {
             }
         }
     };
-}
-
-// All square roots are correctly rounded: the same bits, but the standard library's is one instruction on a host, and libm's the shortest where floats are
-// software.
-#[cfg(not(feature = "std"))]
-mod root {
-    #[cfg(target_abi = "eabihf")]
-    pub(super) use crate::scalar::root::root as f32;
-    pub(super) use libm::sqrt as f64;
-    #[cfg(not(target_abi = "eabihf"))]
-    pub(super) use libm::sqrtf as f32;
-}
-#[cfg(feature = "std")]
-mod root {
-    extern crate std;
-    #[inline]
-    pub(super) fn f32(squares: f32) -> f32 {
-        squares.sqrt()
-    }
-    #[inline]
-    pub(super) fn f64(squares: f64) -> f64 {
-        squares.sqrt()
-    }
 }
 
 float!(f32, u32, "f32", root::f32, libm::floorf, 1e-20);
