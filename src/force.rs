@@ -2,6 +2,7 @@
 //!
 //! `()` is no force and a tuple is all of its members. A force of your own implements [`Force`].
 
+mod panel;
 mod wind;
 
 use crate::fingerprint::Fingerprint;
@@ -9,6 +10,7 @@ use crate::scalar::Scalar;
 use crate::units::{Acceleration, DragRate};
 use crate::vec3::Vec3;
 
+pub use panel::PanelWind;
 pub use wind::{AerodynamicWind, FacetWind};
 
 /// A force, or none, or several.

@@ -87,7 +87,7 @@ pub mod vectors;
 
 pub use cloth::Cloth;
 pub use collider::{Capsule, Collider, Plane, Sphere};
-pub use force::{AerodynamicWind, Drag, FacetWind, Force, Gravity};
+pub use force::{AerodynamicWind, Drag, FacetWind, Force, Gravity, PanelWind};
 pub use grid::{Grid, Node};
 pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
 pub use material::Material;

@@ -1,5 +1,6 @@
 //! `f32` and `f64`.
 
+use super::panel::Panel;
 use super::{Rest, Scalar, root};
 
 /// A number's bits, the same for all that are undefined: which of them an operation gives, Rust leaves to the compiler.
@@ -35,6 +36,7 @@ macro_rules! float {
 
             type Product = Self;
             type Prepared = ();
+            type Panel = Panel<Self>;
             type Sum = Self;
 
             #[inline(always)]
@@ -102,6 +104,23 @@ macro_rules! float {
                 let length = $sqrt(Scalar::max(x * x + y * y + z * z, $tiny));
                 let inverse = 1.0 / length;
                 (length - rest.length, [x * inverse, y * inverse, z * inverse])
+            }
+            #[inline]
+            fn panel(pressure: Self, area: Self) -> Panel<Self> {
+                Panel::new(pressure, area)
+            }
+            #[inline(always)]
+            fn press(
+                diagonals: [[Self; 3]; 2],
+                air: [Self; 3],
+                panel: &Panel<Self>,
+                most: impl FnOnce() -> Self,
+            ) -> Option<[Self; 3]> {
+                Some(panel.press(diagonals, air, most(), $tiny))
+            }
+            #[inline]
+            fn press_any(diagonals: [[Self; 3]; 2], air: [Self; 3], panel: &Panel<Self>, most: Self) -> [Self; 3] {
+                panel.press(diagonals, air, most, $tiny)
             }
             #[inline]
             fn accumulate(sum: Self, product: Self) -> Self {
