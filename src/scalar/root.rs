@@ -54,7 +54,7 @@ mod elsewhere {
 /// link of XPBD took 114 instructions on a Cortex-M4F, with `libm` 136; tests compare every mantissa.
 #[cfg(any(test, all(not(feature = "std"), target_abi = "eabihf")))]
 #[inline]
-pub(super) fn newton(x: f32) -> f32 {
+pub(crate) fn newton(x: f32) -> f32 {
     if !(1e-30..1e30).contains(&x) {
         return libm::sqrtf(x);
     }
