@@ -3,6 +3,7 @@
 //! `()` is no force and a tuple is all of its members. A force of your own implements [`Force`].
 
 mod hand;
+mod panel;
 mod wind;
 
 use crate::fingerprint::Fingerprint;
@@ -11,6 +12,7 @@ use crate::units::{Acceleration, DragRate};
 use crate::vec3::Vec3;
 
 pub use hand::Hand;
+pub use panel::PanelWind;
 pub use wind::{AerodynamicWind, FacetWind};
 
 /// A force, or none, or several.

@@ -96,7 +96,7 @@ pub mod vectors;
 
 pub use cloth::Cloth;
 pub use collider::{Capsule, Collider, Moving, Plane, Sphere};
-pub use force::{AerodynamicWind, Drag, FacetWind, Force, Gravity, Hand};
+pub use force::{AerodynamicWind, Drag, FacetWind, Force, Gravity, Hand, PanelWind};
 pub use grid::{Grid, Node};
 pub use link::{Bend, Damped, Links, Shear, StrainLimited, Stretch, Tether};
 pub use material::Material;

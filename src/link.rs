@@ -105,10 +105,16 @@ impl<S: Scalar> Quotient<S> {
         if !S::FLOATS && self.dividend == S::ONE { x } else { x * self.dividend }
     }
 
-    /// `x · divisor` to the last place, as the divisor of a stiff link is small. That of a soft one is 1.
+    /// `x · divisor` to the last place, as the divisor of a stiff link is small. That of a soft one is 1; and multipliers start from nothing.
     #[inline(always)]
     pub(crate) fn times_divisor(self, x: S) -> S {
-        if !S::FLOATS && self.divisor == S::ONE { x } else { x * self.divisor }
+        if !S::FLOATS && (x == S::ZERO || self.divisor == S::ONE) { x } else { x * self.divisor }
+    }
+
+    /// `x · dividend` for `|x| ≤ 1`, as far as [`Scalar::scaled`] goes. The dividend of a stiff link is 1.
+    #[inline(always)]
+    pub(crate) fn of_dividend(self, x: S) -> S {
+        if !S::FLOATS && self.dividend == S::ONE { x } else { x.scaled(self.dividend) }
     }
 
     /// Takes the quotient in.

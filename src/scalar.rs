@@ -9,7 +9,7 @@
 pub(crate) mod fit;
 mod fixed24;
 mod float;
-#[cfg(any(test, all(not(feature = "std"), target_abi = "eabihf")))]
+pub(crate) mod panel;
 mod root;
 mod rounding;
 mod wide;
@@ -64,6 +64,8 @@ pub trait Scalar:
     type Sum: Copy + Debug + PartialOrd;
     /// What a rest length is [prepared](Self::prepared) for besides its inverse.
     type Prepared: Copy + Debug + PartialEq + Send + Sync + 'static;
+    /// What the panels of a sheet have in common.
+    type Panel: Copy + Debug + PartialEq + Send + Sync + 'static;
 
     /// The nearest number to `value`; beyond [`LARGEST`](Self::LARGEST) fixed point saturates.
     ///
@@ -163,6 +165,35 @@ pub trait Scalar:
     #[inline]
     fn cosine(a: [Self; 3], b: [Self; 3]) -> Self {
         Self::narrow(a[0].product(b[0]) + a[1].product(b[1]) + a[2].product(b[2]))
+    }
+
+    /// What panels of the area A₀ at rest (cells², up to 1) have in common. Air that moves at one cell per tick against a panel of 1 cell² gives each of its
+    /// corners the velocity `pressure` in a substep.
+    fn panel(pressure: Self, area: Self) -> Self::Panel;
+
+    /// The velocity that each corner of a panel with these diagonals a and b gains from air with this velocity relative to it: `c·n·(n·u)`, n = a×b/2,
+    ///
+    /// `c = min(pressure·|n·u|/|n|², most·min(1/A₀, 2·A₀/|n|²))`
+    ///
+    /// So air takes a panel of its rest area no further than by `most·A₀` of its velocity across it, and no panel further than by twice as much. Without a root. `most` is
+    /// 3/32 or less.
+    ///
+    /// Nothing where there is no short way; then [`press_any`](Self::press_any) is asked.
+    fn press(
+        diagonals: [[Self; 3]; 2],
+        air: [Self; 3],
+        panel: &Self::Panel,
+        most: impl FnOnce() -> Self,
+    ) -> Option<[Self; 3]>;
+
+    /// The same for panels of any size in any air.
+    fn press_any(diagonals: [[Self; 3]; 2], air: [Self; 3], panel: &Self::Panel, most: Self) -> [Self; 3];
+
+    /// A quarter of `self + other`, which may be more than fixed point holds.
+    #[inline(always)]
+    #[must_use]
+    fn quarter_of_sum(self, other: Self) -> Self {
+        (self + other).halve(2)
     }
 
     /// Adds a product to a sum.

@@ -22,7 +22,7 @@ use core::marker::PhantomData;
 
 use crate::cloth::Cloth;
 use crate::collider::{Capsule, Moving, Plane, Sphere};
-use crate::force::{AerodynamicWind, Drag, FacetWind, Gravity, Hand};
+use crate::force::{AerodynamicWind, Drag, FacetWind, Gravity, Hand, PanelWind};
 use crate::grid::Node;
 use crate::link::{Bend, Damped, Shear, Stretch, Tether};
 use crate::material::Material;
@@ -117,6 +117,13 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
     #[inline]
     pub fn aerodynamic_wind(&self, velocity: [f64; 3], density: f64, drag_coefficient: f64) -> AerodynamicWind<S> {
         AerodynamicWind::new(self.units.aerodynamic_wind(velocity, density, drag_coefficient))
+    }
+
+    /// Wind on cells, the cheapest on a board: its velocity (m/s), the air's density (kg/m³), the drag coefficient of a plate across the flow.
+    #[track_caller]
+    #[inline]
+    pub fn panel_wind(&self, velocity: [f64; 3], density: f64, drag_coefficient: f64) -> PanelWind<S> {
+        PanelWind::new(self.units.panel_wind(velocity, density, drag_coefficient))
     }
 
     /// Springs along rows and columns, N/m.

@@ -104,6 +104,17 @@ pub struct Airflow {
     pub widest: f64,
 }
 
+/// A wind's velocity, the strength of its pressure on panels, and their area at rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PanelFlow {
+    /// The velocity of the air, cells per tick.
+    pub wind: [f64; 3],
+    /// The velocity that each corner of a panel of 1 cell² gains in a substep from air that moves against it at one cell per tick.
+    pub pressure: f64,
+    /// The area of a panel at rest, cells².
+    pub area: f64,
+}
+
 impl Units {
     /// The units of a sheet of `[columns, rows]` particles, `[width, height]` in m, whose ordinary particle has `mass` (kg), that
     /// moves in frames of `frame` seconds divided into `substeps`.
@@ -290,6 +301,18 @@ impl Units {
             / (12.0 * self.mass * self.tick());
         Airflow { wind, pressure, widest: 0.0 }
     }
+
+    /// Wind on panels: velocity in m/s, the air's density in kg/m³, the drag coefficient of a plate across the flow.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for what is not finite, and if density or coefficient is negative.
+    #[track_caller]
+    pub const fn panel_wind(&self, metres_per_second: [f64; 3], density: f64, drag_coefficient: f64) -> PanelFlow {
+        let Airflow { wind, pressure, .. } = self.aerodynamic_wind(metres_per_second, density, drag_coefficient);
+        // a cell's area is |n|, twice that of a triangle, of which each corner has a quarter instead of a third
+        let area = self.sides[0] * self.sides[1];
+        PanelFlow { wind, pressure: 1.5 * pressure, area: if area > 0.0 { area } else { 1.0 } }
+    }
 }
 
 /// What a type does not represent is refused in these words.
@@ -367,6 +390,25 @@ impl Airflow {
         check_fit::<S, 3>(self.wind);
         check_fit::<S, 1>([self.pressure]);
         assert!(is_not_negative(self.widest), "a wind's bound is zero or above");
+        self
+    }
+}
+
+impl PanelFlow {
+    /// The same wind, which `S` represents.
+    ///
+    /// # Panics
+    /// At compile time in a constant: where rounding would change it by more than a sixteenth, or `S` has no number as large; and for negative pressures and
+    /// areas that are not positive.
+    #[track_caller]
+    #[inline(always)]
+    #[must_use]
+    pub const fn fits<S: Scalar>(self) -> Self {
+        assert!(is_not_negative(self.pressure), "a wind's pressure is zero or above");
+        assert!(is_positive(self.area) && self.area <= 1.0, "a panel's area is positive, and 1 cell² at most");
+        check_fit::<S, 3>(self.wind);
+        check_fit::<S, 1>([self.pressure]);
+        check_fit::<S, 1>([self.area]);
         self
     }
 }

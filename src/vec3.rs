@@ -121,6 +121,26 @@ impl<S: Scalar> Vec3<S> {
         S::cosine(self.array(), other.array())
     }
 
+    /// What [`Scalar::press`] gives the corners of a panel with these diagonals in air of this relative velocity.
+    #[inline(always)]
+    pub fn press([a, b]: [Self; 2], air: Self, panel: &S::Panel, most: impl FnOnce() -> S) -> Option<Self> {
+        S::press([a.array(), b.array()], air.array(), panel, most).map(Self::of)
+    }
+
+    /// What [`Scalar::press_any`] gives them.
+    #[inline]
+    #[must_use]
+    pub fn press_any([a, b]: [Self; 2], air: Self, panel: &S::Panel, most: S) -> Self {
+        Self::of(S::press_any([a.array(), b.array()], air.array(), panel, most))
+    }
+
+    /// A quarter of `self + other`.
+    #[inline(always)]
+    #[must_use]
+    pub fn quarter_of_sum(self, other: Self) -> Self {
+        Self::new(self.x.quarter_of_sum(other.x), self.y.quarter_of_sum(other.y), self.z.quarter_of_sum(other.z))
+    }
+
     #[inline(always)]
     fn of([x, y, z]: [S; 3]) -> Self {
         Self { x, y, z }

@@ -9,11 +9,11 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use kerchief::material::{DENIM, Material};
 use kerchief::render::{Ball, Ground, Light, Rod, View};
 use kerchief::rest::{Resting, Stillness};
-use kerchief::units::{Acceleration, Airflow, DragRate, Length, Point, Strength};
+use kerchief::units::{Acceleration, Airflow, DragRate, Length, PanelFlow, Point, Strength};
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, Force, ForwardEuler,
-    Gravity, Leapfrog, Lines, Links, Node, Plane, Q13, Q24, Scalar, Scene, Shear, Solver, Sphere, StrainLimited,
-    Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
+    Gravity, Leapfrog, Lines, Links, Node, PanelWind, Plane, Q13, Q24, Scalar, Scene, Shear, Solver, Sphere,
+    StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
 };
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -22,7 +22,7 @@ use proptest::test_runner::RngSeed;
 const UNITS: Units = Units::sheet([4, 4], [0.3, 0.3], 1e-3, 1.0 / 60.0, 4);
 
 /// Beginnings of the sentences in which constructors refuse.
-const SENTENCES: [&str; 41] = [
+const SENTENCES: [&str; 42] = [
     "a direction's angles are finite",
     "a place that is looked at is finite",
     "the eye is at least one cell away from its target",
@@ -45,6 +45,7 @@ const SENTENCES: [&str; 41] = [
     "a constant of the scene is not finite, or too large for its number type",
     "a constant of the scene is too small for its number type",
     "a wind's pressure is zero or above",
+    "a panel's area is positive",
     "a radius or margin is zero or above",
     "a length is beyond the range of the number type",
     "a strength is zero or above",
@@ -150,6 +151,7 @@ fn what_is_undefined_does_not_become_fixed_point() {
         refused("length", "numbers of a scene are finite", || UNITS.length(bad));
         refused("wind", "numbers of a scene are finite", || UNITS.facet_wind(vector));
         refused("wind", "numbers of a scene are finite", || UNITS.aerodynamic_wind(vector, 1.2, 1.2));
+        refused("wind", "numbers of a scene are finite", || UNITS.panel_wind(vector, 1.2, 1.2));
         refused("density", "numbers of a scene are finite", || UNITS.aerodynamic_wind([0.0; 3], bad, 1.2));
         let too_large = "a constant of the scene is not finite, or too large";
         refused("gravity", too_large, || Gravity::<Q24>::new(weight(vector)));
@@ -310,6 +312,10 @@ fn what_rounding_changes_by_more_than_a_sixteenth_is_refused() {
     refused("damping", too_small, || Damped::<_, Q24>::new((), UNITS.damping(3.5e-8)));
     refused("drag", too_small, || Drag::<Q24>::new(UNITS.drag(2e-5)));
     refused("wind", too_small, || FacetWind::<Q24>::new(UNITS.facet_wind([1e-7, 0.0, 0.0])));
+    refused("pressure", too_small, || PanelWind::<Q24>::new(UNITS.panel_wind([1.0, 0.0, 0.0], 1e-6, 1.0)));
+    refused("area", "a panel's area is positive", || {
+        PanelWind::<Q24>::new(PanelFlow { area: 0.0, ..UNITS.panel_wind([1.0, 0.0, 0.0], 1.0, 1.0) })
+    });
     refused("pressure", too_small, || AerodynamicWind::<Q24>::new(UNITS.aerodynamic_wind([1.0, 0.0, 0.0], 1e-6, 1.0)));
     // nothing is nothing, and a small component beside a large one does not count
     let _ = Stretch::<Q24>::new(&UNITS, UNITS.stiffness(0.0));
@@ -390,6 +396,7 @@ fn played<S: Scalar>(from: &mut Constants<'_>, kind: usize) -> bool {
     let drag = Drag::<S>::new(if kind % 2 == 0 { units.drag(from.next()) } else { units.verlet_damping(from.next()) });
     let facet = FacetWind::<S>::new(units.facet_wind(from.vector()));
     let wind = AerodynamicWind::<S>::new(units.aerodynamic_wind(from.vector(), from.next(), from.next()));
+    let panels = PanelWind::<S>::new(units.panel_wind(from.vector(), from.next(), from.next()));
     let raw = Drag::<S>::new(DragRate { rate: from.next(), decay: from.next(), gain: from.next() });
     let stretch = Stretch::<S>::new(&units, units.stiffness(from.next()));
     let shear = Shear::<S>::new(&units, units.compliance(from.next()));
@@ -412,7 +419,7 @@ fn played<S: Scalar>(from: &mut Constants<'_>, kind: usize) -> bool {
     cloth.hem(S::from_f64(from.next()));
     cloth.pin(Node::new(from.count() as usize % 5, 0));
     cloth.release(Node::new(3, 3), S::from_f64(from.next()));
-    let forces = (gravity, drag, (facet, wind, raw));
+    let forces = (gravity, drag, (facet, wind, panels, raw));
     let (links, colliders) = ((damped, limited, (bend, slack)), (ball, ground, rod));
     let (sweeps, tolerance) = (from.count(), from.next());
     match kind {
@@ -466,8 +473,8 @@ fn is_refused<S: Scalar>(numbers: &[f64], counts: &[u32], kind: usize) -> bool {
 
 /// Numbers of a scene that is accepted, some of them spoilt.
 fn constants() -> impl Strategy<Value = (Vec<f64>, Vec<u32>, usize)> {
-    let good = prop::collection::vec(0.05..0.9_f64, 80);
-    let spoilt = prop::collection::vec((0_usize..80, number()), 0..3);
+    let good = prop::collection::vec(0.05..0.9_f64, 90);
+    let spoilt = prop::collection::vec((0_usize..90, number()), 0..3);
     let counts = prop_oneof![3 => prop::collection::vec(1_u32..4, 3), 1 => prop::collection::vec(count(), 3)];
     (good, spoilt, counts, 0_usize..7).prop_map(|(mut numbers, spoilt, counts, kind)| {
         spoilt.into_iter().for_each(|(index, number)| numbers[index] = number);

@@ -55,6 +55,7 @@ macro_rules! of_every_number {
             with_every_solver!(gravity, links, ());
             with_every_solver!((gravity, SHEET.aerodynamic_wind([3.0, 1.0, 0.0], 1.2, 1.2)), links, ball);
             with_every_solver!((gravity, SHEET.facet_wind([0.3, 0.1, 0.0]), SHEET.drag(0.5)), damped, (pushed, ground));
+            with_every_solver!((gravity, SHEET.panel_wind([3.0, 1.0, 0.0], 1.2, 1.2)), links, ball);
             with_every_solver!(gravity, Some(SHEET.stretch(100.0)), SHEET.rod([0.0, 0.1, 0.0], [0.3, 0.1, 0.0], 0.02, 0.005));
         }
     )+};

@@ -4,6 +4,7 @@ use core::cell::Cell;
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
+use crate::scalar::panel::Panel;
 use crate::scalar::{Rest, Scalar};
 
 /// `f32` to the last bit, but every operation is counted: what a solver costs on any machine.
@@ -169,6 +170,7 @@ impl Scalar for Counted {
 
     type Product = Self;
     type Prepared = ();
+    type Panel = Panel<Self>;
     type Sum = Self;
 
     #[inline]
@@ -244,6 +246,23 @@ impl Scalar for Counted {
         Self::did(GAUGE.and(DIRECTION));
         let (longer, along) = f32::direction(d.map(|component| component.0), &plain(*rest));
         (Self(longer), along.map(Self))
+    }
+    #[inline]
+    fn panel(pressure: Self, area: Self) -> Panel<Self> {
+        Panel::new(pressure, area)
+    }
+    #[inline(always)]
+    fn press(
+        diagonals: [[Self; 3]; 2],
+        air: [Self; 3],
+        panel: &Panel<Self>,
+        most: impl FnOnce() -> Self,
+    ) -> Option<[Self; 3]> {
+        Some(panel.press(diagonals, air, most(), Self(1e-20)))
+    }
+    #[inline]
+    fn press_any(diagonals: [[Self; 3]; 2], air: [Self; 3], panel: &Panel<Self>, most: Self) -> [Self; 3] {
+        panel.press(diagonals, air, most, Self(1e-20))
     }
     #[inline]
     fn accumulate(sum: Self, product: Self) -> Self {
@@ -330,7 +349,7 @@ mod tests {
 
     #[test]
     fn counting_changes_no_bit() {
-        for model in ["facet", "aerodynamic"] {
+        for model in ["facet", "aerodynamic", "panel"] {
             let wind = format!("wind = {{ velocity = [1.0, 3.0, 0.5], model = \"{model}\" }}");
             let mut scene = Description::parse(&SCENE.replace("WIND", &wind)).unwrap();
             for kind in SolverKind::ALL {

@@ -130,17 +130,24 @@ pub struct Drag {
 pub struct Wind {
     /// Velocity of the air, m/s.
     pub velocity: [f64; 3],
-    /// How it pushes a triangle.
+    /// How it pushes a cell.
     pub model: WindModel,
 }
 
-/// How moving air pushes a triangle of a cell.
+/// How moving air pushes a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WindModel {
     /// `n (n/|n| · wind)` on each corner, `n` twice the triangle's area; the sheet's own motion does not count.
     Facet,
     /// The pressure of the relative wind, `½ ρ c A (n·u) |n·u| n`, a third on each corner.
     Aerodynamic {
+        /// ρ, density of the air, kg/m³.
+        density: f64,
+        /// c, no unit.
+        drag_coefficient: f64,
+    },
+    /// The same on each cell as one panel, a quarter on each corner: see [`PanelWind`](crate::PanelWind).
+    Panel {
         /// ρ, density of the air, kg/m³.
         density: f64,
         /// c, no unit.

@@ -196,6 +196,7 @@ pub(super) struct Wind {
 pub(super) enum WindModel {
     Facet,
     Aerodynamic,
+    Panel,
 }
 
 #[derive(Debug, Deserialize)]

@@ -38,8 +38,8 @@
 //! | `[environment]` | `gravity` | m/s² |
 //! | | `drag` or `verlet_damping` | γ in 1/s, or the share of its displacement that a sheet loses in a step, `0 <= x < 1` |
 //! | | `wind.velocity` | m/s |
-//! | | `wind.model` | `"facet"` or `"aerodynamic"`: see [`WindModel`] |
-//! | | `wind.density`, `wind.drag_coefficient` | of the air, aerodynamic only: kg/m³ \[1.2\], no unit \[1.2\] |
+//! | | `wind.model` | `"facet"`, `"aerodynamic"` or `"panel"`: see [`WindModel`] |
+//! | | `wind.density`, `wind.drag_coefficient` | of the air, not for facets: kg/m³ \[1.2\], no unit \[1.2\] |
 //! | `[[sphere]]` | `centre`, `radius`, `velocity` | m, m > 0, m/s \[0, 0, 0\] |
 //! | `[[plane]]` | `point`, `normal` | m; outwards, any length |
 //! | `[[capsule]]` | `a`, `b`, `radius` | ends of the axis and radius, m |

@@ -6,7 +6,7 @@ use super::description::{Description, Wind, WindModel};
 use super::error::SceneError;
 use super::fit::{Fit, finite};
 use super::obstacles::{Obstacles, Solids};
-use crate::force::{AerodynamicWind, FacetWind, Force};
+use crate::force::{AerodynamicWind, FacetWind, Force, PanelWind};
 use crate::link::{Damped, Links};
 use crate::scalar::Scalar;
 use crate::units::Units;
@@ -58,7 +58,7 @@ pub trait Parts<S: Scalar + Send>: 'static {
 pub enum Everything {}
 
 impl<S: Scalar + Send> Parts<S> for Everything {
-    type Air = (Option<FacetWind<S>>, Option<AerodynamicWind<S>>);
+    type Air = (Option<FacetWind<S>>, Option<AerodynamicWind<S>>, Option<PanelWind<S>>);
     type Springs<L: Springs<S>> = Damped<L, S>;
     type Obstacles = Solids<S>;
 
@@ -68,19 +68,25 @@ impl<S: Scalar + Send> Parts<S> for Everything {
         }
         match wind {
             Some(&Wind { velocity, model: WindModel::Aerodynamic { density, drag_coefficient } }) => {
-                finite("environment.wind.density", &[density])?;
-                finite("environment.wind.drag_coefficient", &[drag_coefficient])?;
+                still_finite(density, drag_coefficient)?;
                 let flow = units.aerodynamic_wind(velocity, density, drag_coefficient);
                 Fit::<S>::constant(VELOCITY, flow.wind)?;
                 Fit::<S>::constant("environment.wind.density", [flow.pressure])?;
-                Ok((None, Some(AerodynamicWind::new(flow))))
+                Ok((None, Some(AerodynamicWind::new(flow)), None))
+            }
+            Some(&Wind { velocity, model: WindModel::Panel { density, drag_coefficient } }) => {
+                still_finite(density, drag_coefficient)?;
+                let flow = units.panel_wind(velocity, density, drag_coefficient);
+                Fit::<S>::constant(VELOCITY, flow.wind)?;
+                Fit::<S>::constant("environment.wind.density", [flow.pressure])?;
+                Ok((None, None, Some(PanelWind::new(flow))))
             }
             Some(Wind { velocity, model: WindModel::Facet }) => {
                 let flow = units.facet_wind(*velocity);
                 Fit::<S>::constant(VELOCITY, flow.wind)?;
-                Ok((Some(FacetWind::new(flow)), None))
+                Ok((Some(FacetWind::new(flow)), None, None))
             }
-            None => Ok((None, None)),
+            None => Ok((None, None, None)),
         }
     }
 
@@ -98,6 +104,12 @@ impl<S: Scalar + Send> Parts<S> for Everything {
     fn obstacles(scene: &Description, units: &Units) -> Result<Solids<S>, SceneError> {
         scene.solids(units)
     }
+}
+
+/// What changes while a scene runs comes from no file.
+fn still_finite(density: f64, drag_coefficient: f64) -> Result<(), SceneError> {
+    finite("environment.wind.density", &[density])?;
+    finite("environment.wind.drag_coefficient", &[drag_coefficient])
 }
 
 /// A sheet of undamped springs under gravity and drag, and nothing else: what most goals of a solver are measured on.
@@ -205,7 +217,12 @@ mod tests {
         for bad in [f64::NAN, f64::INFINITY] {
             let refused = moving.set_gravity([0.0, bad, 0.0]).unwrap_err();
             assert_eq!(refused.key, "environment.gravity");
-            let models = [WindModel::Facet, WindModel::Aerodynamic { density: 1.2, drag_coefficient: 1.2 }];
+            let [density, drag_coefficient] = [1.2; 2];
+            let models = [
+                WindModel::Facet,
+                WindModel::Aerodynamic { density, drag_coefficient },
+                WindModel::Panel { density, drag_coefficient },
+            ];
             for model in models {
                 assert_eq!(moving.set_wind(Some(&Wind { velocity: [bad; 3], model })).unwrap_err().key, VELOCITY);
             }

@@ -189,15 +189,18 @@ fn drag(environment: &file::Environment, step: f64) -> Result<Option<Drag>, Scen
 }
 
 fn wind(Table(wind): &Table<file::Wind>) -> Result<Wind, SceneError> {
+    let density = wind.density.map_or(AIR_DENSITY, Positive::get);
+    let drag_coefficient = wind.drag_coefficient.map_or(PLATE_DRAG, NonNegative::get);
     let model = match wind.model.0 {
-        file::WindModel::Aerodynamic => WindModel::Aerodynamic {
-            density: wind.density.map_or(AIR_DENSITY, Positive::get),
-            drag_coefficient: wind.drag_coefficient.map_or(PLATE_DRAG, NonNegative::get),
-        },
+        file::WindModel::Aerodynamic => WindModel::Aerodynamic { density, drag_coefficient },
+        file::WindModel::Panel => WindModel::Panel { density, drag_coefficient },
         file::WindModel::Facet => {
             let surplus = [("density", wind.density.is_some()), ("drag_coefficient", wind.drag_coefficient.is_some())];
             if let Some((key, _)) = surplus.iter().find(|(_, given)| *given) {
-                return Err(SceneError::new(format!("environment.wind.{key}"), "only with model = \"aerodynamic\""));
+                return Err(SceneError::new(
+                    format!("environment.wind.{key}"),
+                    "only with model = \"aerodynamic\" or \"panel\"",
+                ));
             }
             WindModel::Facet
         }

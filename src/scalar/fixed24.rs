@@ -4,6 +4,7 @@ mod conversion;
 mod exact;
 mod kernel;
 mod newton;
+mod panel;
 mod product;
 mod quotient;
 mod short;
@@ -20,6 +21,7 @@ use quotient::{divide, quotient, root, saturate};
 
 use exact::Exact;
 use kernel::Kernel;
+use panel::Panel;
 use short::Short;
 
 /// A fixed-point number from −128 to 128 in steps of 2⁻²⁴ (6·10⁻⁸), whose products, quotients and links are computed as `K` does.
@@ -145,6 +147,7 @@ impl<K: Kernel> Scalar for Fixed24<K> {
 
     type Product = Wide;
     type Prepared = K::Prepared;
+    type Panel = Panel;
     type Sum = i128;
 
     #[inline]
@@ -276,6 +279,30 @@ impl<K: Kernel> Scalar for Fixed24<K> {
     #[inline]
     fn round_times(self, factor: i32) -> i32 {
         round(signed(self.to_bits(), factor)) as i32
+    }
+
+    #[inline]
+    fn panel(pressure: Self, area: Self) -> Panel {
+        Panel::new(pressure.to_bits(), area.to_bits())
+    }
+
+    #[inline(always)]
+    fn press([a, b]: [[Self; 3]; 2], air: [Self; 3], panel: &Panel, most: impl FnOnce() -> Self) -> Option<[Self; 3]> {
+        let bits = |vector| each(vector, Self::to_bits);
+        let gain = panel.press([bits(a), bits(b)], bits(air), || most().to_bits())?;
+        Some(each(gain, Self::from_bits))
+    }
+
+    #[inline]
+    fn press_any([a, b]: [[Self; 3]; 2], air: [Self; 3], panel: &Panel, most: Self) -> [Self; 3] {
+        let bits = |vector| each(vector, Self::to_bits);
+        each(panel.press_any([bits(a), bits(b)], bits(air), most.to_bits()), Self::from_bits)
+    }
+
+    #[inline(always)]
+    fn quarter_of_sum(self, other: Self) -> Self {
+        // cut off: a place of 24 bits is nothing to air
+        Self::from_bits((self.to_bits() >> 2) + (other.to_bits() >> 2))
     }
 
     #[inline]

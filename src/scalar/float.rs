@@ -1,6 +1,7 @@
 //! `f32` and `f64`.
 
-use super::{Rest, Scalar};
+use super::panel::Panel;
+use super::{Rest, Scalar, root};
 
 /// A number's bits, the same for all that are undefined: which of them an operation gives, Rust leaves to the compiler.
 trait CanonicalBits {
@@ -35,6 +36,7 @@ macro_rules! float {
 
             type Product = Self;
             type Prepared = ();
+            type Panel = Panel<Self>;
             type Sum = Self;
 
             #[inline(always)]
@@ -104,6 +106,23 @@ macro_rules! float {
                 (length - rest.length, [x * inverse, y * inverse, z * inverse])
             }
             #[inline]
+            fn panel(pressure: Self, area: Self) -> Panel<Self> {
+                Panel::new(pressure, area)
+            }
+            #[inline(always)]
+            fn press(
+                diagonals: [[Self; 3]; 2],
+                air: [Self; 3],
+                panel: &Panel<Self>,
+                most: impl FnOnce() -> Self,
+            ) -> Option<[Self; 3]> {
+                Some(panel.press(diagonals, air, most(), $tiny))
+            }
+            #[inline]
+            fn press_any(diagonals: [[Self; 3]; 2], air: [Self; 3], panel: &Panel<Self>, most: Self) -> [Self; 3] {
+                panel.press(diagonals, air, most, $tiny)
+            }
+            #[inline]
             fn accumulate(sum: Self, product: Self) -> Self {
                 sum + product
             }
@@ -134,29 +153,6 @@ macro_rules! float {
             }
         }
     };
-}
-
-// All square roots are correctly rounded: the same bits, but the standard library's is one instruction on a host, and libm's the shortest where floats are
-// software.
-#[cfg(not(feature = "std"))]
-mod root {
-    #[cfg(target_abi = "eabihf")]
-    pub(super) use crate::scalar::root::root as f32;
-    pub(super) use libm::sqrt as f64;
-    #[cfg(not(target_abi = "eabihf"))]
-    pub(super) use libm::sqrtf as f32;
-}
-#[cfg(feature = "std")]
-mod root {
-    extern crate std;
-    #[inline]
-    pub(super) fn f32(squares: f32) -> f32 {
-        squares.sqrt()
-    }
-    #[inline]
-    pub(super) fn f64(squares: f64) -> f64 {
-        squares.sqrt()
-    }
 }
 
 float!(f32, u32, "f32", root::f32, libm::floorf, 1e-20);

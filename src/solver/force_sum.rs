@@ -21,7 +21,8 @@ pub(super) fn gains<S: Scalar, F: Force<S>, L: Links<S>, const W: usize, const H
     if forces.is_field() {
         let mut row_gain = Vec3::row(Vec3::ZERO);
         for row in 0..H {
-            let below = field(forces, particles, row, &mut row_gain);
+            let mut below = Vec3::row(Vec3::ZERO);
+            field(forces, particles, row, [&mut row_gain, &mut below]);
             gain.0[row] = row_gain;
             row_gain = below;
         }

@@ -19,9 +19,12 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     go: impl Fn(Vec3<S>, Vec3<S>) -> [Vec3<S>; 2],
 ) {
     let (is_field, uniform) = (forces.is_field(), forces.uniform());
-    let mut gain = Vec3::row(Vec3::ZERO);
+    // in turn, so that no row is copied
+    let mut gains = [Vec3::row(Vec3::ZERO); 2];
     for row in 0..H {
-        let below = field(forces, particles, row, &mut gain);
+        let [even, odd] = &mut gains;
+        let [gain, below] = if row % 2 == 0 { [even, odd] } else { [odd, even] };
+        field(forces, particles, row, [gain, below]);
         for column in 0..W {
             let node = Node { column, row };
             let inverse_mass = particles.inverse_mass[node];
@@ -38,19 +41,17 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
             particles.position.set(node, position);
             particles.velocity.set(node, velocity);
         }
-        gain = below;
     }
 }
 
-/// Completes what the fields give to a row of particles of mass 1, and returns what they give to the next row so far.
+/// Completes what the fields give to a row of particles of mass 1, and puts into the second row what they give to the next so far.
 #[inline]
 pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     forces: &F,
     particles: &Particles<S, W, H>,
     row: usize,
-    gain: &mut Vec3<[S; W]>,
-) -> Vec3<[S; W]> {
-    let mut below = Vec3::row(Vec3::ZERO);
+    [gain, below]: [&mut Vec3<[S; W]>; 2],
+) {
     if forces.is_field() {
         let at = |row: usize| Row {
             index: row,
@@ -58,12 +59,12 @@ pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
             velocity: &particles.velocity.0[row],
             inverse_mass: &particles.inverse_mass.0[row],
         };
+        *below = Vec3::row(Vec3::ZERO);
         forces.particles(at(row), gain);
         if row + 1 < H {
-            forces.cells([at(row), at(row + 1)], [gain, &mut below]);
+            forces.cells([at(row), at(row + 1)], [gain, below]);
         }
     }
-    below
 }
 
 /// Moves every particle with its velocity for `1/2^shift` of a tick.

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use rig::reference::{Model, State};
-use rig::scenes::{BREEZE, FACETS, corners, flag, syrup};
+use rig::scenes::{BREEZE, FACETS, PANELS, corners, flag, syrup};
 use rig::{Method, Pace, carried, largest_error, moved, tenths};
 
 const FIRST: Range<f64> = 0.85..1.15;
@@ -24,8 +24,12 @@ const METHODS: [(Method, Range<f64>, u32); 9] = [
 
 /// Two halvings of the step show every solver's order over so many tenths of a second.
 fn assert_orders(model: &Model, start: &State, frames: u32) {
+    assert_orders_of(&METHODS, model, start, frames);
+}
+
+fn assert_orders_of(methods: &[(Method, Range<f64>, u32)], model: &Model, start: &State, frames: u32) {
     let exact = model.ode().solve(start, &tenths(frames), 1e-8);
-    for (method, expected, substeps) in METHODS {
+    for (method, expected, substeps) in methods.iter().cloned() {
         let errors = [substeps, 2 * substeps, 4 * substeps].map(|substeps| {
             let mut motion = moved::<f64, 8, 8>(model, Pace::new(0.1, substeps), method);
             motion.set(start);
@@ -48,6 +52,12 @@ fn hanging_from_two_corners() {
 fn a_flag_in_facet_wind() {
     let model = flag(8, FACETS);
     assert_orders(&model, &model.start(), 5);
+}
+
+#[test]
+fn a_flag_in_wind_on_panels() {
+    let model = flag(8, PANELS);
+    assert_orders_of(&[(Method::Leapfrog, SECOND, 32), (Method::Lines(2), SECOND, 128)], &model, &model.start(), 5);
 }
 
 #[test]

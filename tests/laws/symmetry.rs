@@ -51,6 +51,19 @@ fn wind_has_no_mirror() {
     }
 }
 
+/// A cell's diagonals are each other's mirror images.
+#[test]
+fn wind_on_panels_has_a_mirror() {
+    let wind = Wind::Panel { velocity: [0.0, 3.0, 1.0], density: 1.2, drag_coefficient: 1.2 };
+    for method in METHODS {
+        let model = Model { wind: Some(wind.clone()), ..corners(8) };
+        assert_eq!(asymmetry::<f32>(model.clone(), method), 0.0, "{method:?} in f32");
+        assert_eq!(asymmetry::<f64>(model.clone(), method), 0.0, "{method:?} in f64");
+        let [q24, q13] = [asymmetry::<Q24>(model.clone(), method), asymmetry::<Q13>(model, method)];
+        assert!(q24 < 2e-3 && q13 < 4e-3, "{method:?}: {q24:e} in q24, {q13:e} in q13");
+    }
+}
+
 #[test]
 fn the_same_scene_elsewhere_moves_the_same() {
     for method in [Method::BackwardEuler, Method::Xpbd, Method::Lines(2), Method::Leapfrog] {

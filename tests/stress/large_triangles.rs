@@ -1,15 +1,18 @@
 //! A sheet that is stretched tenfold in still air. Air took up to |n|/16 of a corner's velocity in a substep, however large the triangle's |n|: it threw the sheet
 //! back faster than it came, and faster still in the next substep.
 
-use kerchief::{AerodynamicWind, Cloth, Lines, Node, Q13, Q24, Scalar, Scene, Solver, Units, Vec3, Xpbd};
+use kerchief::{
+    AerodynamicWind, Cloth, Force, Lines, Node, PanelWind, Q13, Q24, Scalar, Scene, Solver, Units, Vec3, Xpbd,
+};
 
 const SIDE: usize = 4;
 /// Cells between neighbours.
 const APART: i32 = 10;
+const UNITS: Units = Units::sheet([SIDE; 2], [3.0; 2], 1.0, 0.1, 1);
 
 /// The largest speed in some frames and the mean velocity after them, in the speed of the start.
-fn left<S: Scalar, V: Solver<S>>(solver: V) -> [f64; 2] {
-    let units = Units::sheet([SIDE; 2], [3.0; 2], 1.0, 0.1, 1);
+fn left<S: Scalar, F: Force<S>, V: Solver<S>>(air: F, solver: V) -> [f64; 2] {
+    let units = UNITS;
     let mut cloth = Cloth::<S, SIDE, SIDE>::lay(&units, units.point([0.0; 3]));
     let place = |k: usize| S::from_int(APART * (k as i32 - 2));
     for (column, row) in (0..SIDE).flat_map(|row| (0..SIDE).map(move |column| (column, row))) {
@@ -18,7 +21,6 @@ fn left<S: Scalar, V: Solver<S>>(solver: V) -> [f64; 2] {
     // the air would take all of it in a hundredth of a substep
     let speed = 0.5;
     cloth.velocity.change(|_| Vec3::from_f64([0.0, 0.0, speed]));
-    let air = AerodynamicWind::new(units.aerodynamic_wind([0.0; 3], 1000.0, 1.0));
     let scene = Scene::new(&units, air, (), (), solver);
     let mut memory = scene.memory();
     let mut fastest = 0.0_f64;
@@ -33,7 +35,15 @@ fn left<S: Scalar, V: Solver<S>>(solver: V) -> [f64; 2] {
 #[test]
 fn air_stills_large_triangles() {
     fn every<S: Scalar>() {
-        for (solver, [fastest, mean]) in [("lines", left::<S, Lines>(Lines::new())), ("xpbd", left::<S, _>(Xpbd))] {
+        let air = AerodynamicWind::<S>::new(UNITS.aerodynamic_wind([0.0; 3], 1000.0, 1.0));
+        let panels = PanelWind::<S>::new(UNITS.panel_wind([0.0; 3], 1000.0, 1.0));
+        let all = [
+            ("lines", left::<S, _, Lines>(air, Lines::new())),
+            ("xpbd", left::<S, _, _>(air, Xpbd)),
+            ("lines, panels", left::<S, _, Lines>(panels, Lines::new())),
+            ("xpbd, panels", left::<S, _, _>(panels, Xpbd)),
+        ];
+        for (solver, [fastest, mean]) in all {
             // what the corners of a triangle have against each other is not felt by the air
             assert!(fastest <= 1.0 && mean.abs() < 0.1, "{fastest} and {mean} by {solver} in {}", S::NAME);
         }

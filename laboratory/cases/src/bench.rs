@@ -4,7 +4,7 @@
 use kerchief::force::Force;
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, ForwardEuler, Gravity,
-    Leapfrog, Lines, Links, Node, Plane, Q13, Q24, Resting, Scalar, Scene, Shear, Solver, Sphere, Stillness,
+    Leapfrog, Lines, Links, Node, PanelWind, Plane, Q13, Q24, Resting, Scalar, Scene, Shear, Solver, Sphere, Stillness,
     StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
 };
 
@@ -135,6 +135,8 @@ fn play<S: Scalar, B: Bench>(bench: &mut B) {
         "facet wind": MANY, (gravity(&MANY), FacetWind::new(MANY.facet_wind([1.0, 2.0, 0.0]))), (), (), Xpbd;
         "aerodynamic wind": MANY,
             (gravity(&MANY), AerodynamicWind::new(MANY.aerodynamic_wind([1.0, 5.0, 0.0], 1.2, 1.2))), (), (), Xpbd;
+        "panel wind": MANY,
+            (gravity(&MANY), PanelWind::new(MANY.panel_wind([1.0, 5.0, 0.0], 1.2, 1.2))), (), (), Xpbd;
         "sphere": MANY, gravity(&MANY), (), Sphere::new(away, MANY.length(2.0), margin), Xpbd;
         "plane": MANY, gravity(&MANY), (),
             Plane::new(MANY.point([0.0, 0.0, -20.0]), Vec3::from_f64([0.0, 0.0, 1.0]), margin), Xpbd;

@@ -3,10 +3,11 @@
 use crate::setup::{Ball, Drag, Ground, Mass, Rod, SIDE, Setup, Spring, Surface, Wind};
 
 /// Every scene.
-pub const CASES: [Setup; 15] = [
+pub const CASES: [Setup; 16] = [
     DRAGGED,
     FACET_WIND,
     AERODYNAMIC_WIND,
+    PANEL_WIND,
     BALL_WITH_FRICTION,
     DAMPED_LINKS,
     STRAIN_LIMIT,
@@ -80,6 +81,8 @@ const AERODYNAMIC_WIND: Setup = Setup {
     wind: Some(Wind::Aerodynamic([1.0, 5.0, 0.0])),
     ..FALLING
 };
+
+const PANEL_WIND: Setup = Setup { name: "panel-wind", wind: Some(Wind::Panel([1.0, 5.0, 0.0])), ..AERODYNAMIC_WIND };
 
 // The sheet touches the ball from the start: an explicit solver's few milliseconds are enough.
 const BALL_WITH_FRICTION: Setup = Setup {

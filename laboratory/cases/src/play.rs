@@ -4,7 +4,7 @@ use kerchief::collider::{Contact, Moving};
 use kerchief::link::{Visitor, WithDampers};
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, ForwardEuler, Gravity,
-    Leapfrog, Lines, Links, Moment, Node, Particles, Plane, Q13, Q24, Scalar, Scene, Shear, Solver, Sphere,
+    Leapfrog, Lines, Links, Moment, Node, PanelWind, Particles, Plane, Q13, Q24, Scalar, Scene, Shear, Solver, Sphere,
     StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
 };
 
@@ -98,9 +98,12 @@ fn run<S: Scalar, V: Solver<S>>(setup: &Setup, solver: V, pace: &Pace, frame: &m
             setup::Drag::Verlet(part) => Drag::new(units.verlet_damping(part)),
         }),
         match setup.wind {
-            Some(Wind::Facet(wind)) => (Some(FacetWind::new(units.facet_wind(wind))), None),
-            Some(Wind::Aerodynamic(wind)) => (None, Some(AerodynamicWind::new(units.aerodynamic_wind(wind, 1.2, 1.2)))),
-            None => (None, None),
+            Some(Wind::Facet(wind)) => (Some(FacetWind::new(units.facet_wind(wind))), None, None),
+            Some(Wind::Aerodynamic(wind)) => {
+                (None, Some(AerodynamicWind::new(units.aerodynamic_wind(wind, 1.2, 1.2))), None)
+            }
+            Some(Wind::Panel(wind)) => (None, None, Some(PanelWind::new(units.panel_wind(wind, 1.2, 1.2)))),
+            None => (None, None, None),
         },
     );
     let mut scene = Scene::new(&units, forces, Held::new(setup, &units), colliders(setup, &units), solver);

@@ -69,6 +69,8 @@ pub enum Wind {
     Facet([f64; 3]),
     /// Air of 1.2 kg/m³ against plates with a drag coefficient of 1.2.
     Aerodynamic([f64; 3]),
+    /// The same against the cells as panels.
+    Panel([f64; 3]),
 }
 
 /// Centre (m), radius (m) and velocity (m/s) of a sphere.

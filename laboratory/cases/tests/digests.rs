@@ -141,6 +141,7 @@ fn read(file: &Description, case: &Setup) -> Setup {
                 assert_eq!([density, drag_coefficient], [1.2; 2], "{}", case.name);
                 Wind::Aerodynamic(wind.velocity)
             }
+            WindModel::Panel { .. } => unreachable!("no built-in scene has such wind"),
         }),
         ball: file.spheres.first().map(|ball| Ball {
             centre: ball.centre,

@@ -16,8 +16,8 @@ pub mod reference;
 pub mod scenes;
 
 use kerchief::{
-    AerodynamicWind, Bend, Cloth, Collider, Damped, Drag, FacetWind, Gravity, Links, Node, Scalar, Scene, Shear,
-    Solver, Stretch, Units, Vec3,
+    AerodynamicWind, Bend, Cloth, Collider, Damped, Drag, FacetWind, Gravity, Links, Node, PanelWind, Scalar, Scene,
+    Shear, Solver, Stretch, Units, Vec3,
 };
 
 use crate::reference::vector::scale;
@@ -27,7 +27,8 @@ pub use compare::{carried, error, free, largest_error, stirred, strain, tenths};
 pub use method::{ALL, Method, Motion, moved};
 
 /// The forces of a [`Model`].
-pub type Forces<S> = (Gravity<S>, Option<Drag<S>>, Option<FacetWind<S>>, Option<AerodynamicWind<S>>);
+pub type Forces<S> =
+    (Gravity<S>, Option<Drag<S>>, Option<FacetWind<S>>, (Option<AerodynamicWind<S>>, Option<PanelWind<S>>));
 
 /// The links of a [`Model`].
 pub type Springs<S> = (Option<Damped<Stretch<S>, S>>, Option<Damped<Shear<S>, S>>, Option<Damped<Bend<S>, S>>);
@@ -120,11 +121,15 @@ fn forces<S: Scalar>(model: &Model, units: &Units) -> Forces<S> {
     let gravity = Gravity::new(units.acceleration(model.gravity));
     let drag = (model.drag != 0.0).then(|| Drag::new(units.drag(model.drag)));
     match model.wind {
-        None => (gravity, drag, None, None),
-        Some(Wind::Facet(wind)) => (gravity, drag, Some(FacetWind::new(units.facet_wind(wind))), None),
+        None => (gravity, drag, None, (None, None)),
+        Some(Wind::Facet(wind)) => (gravity, drag, Some(FacetWind::new(units.facet_wind(wind))), (None, None)),
         Some(Wind::Aerodynamic { velocity, density, drag_coefficient }) => {
             let airflow = units.aerodynamic_wind(velocity, density, drag_coefficient);
-            (gravity, drag, None, Some(AerodynamicWind::new(airflow)))
+            (gravity, drag, None, (Some(AerodynamicWind::new(airflow)), None))
+        }
+        Some(Wind::Panel { velocity, density, drag_coefficient }) => {
+            let flow = units.panel_wind(velocity, density, drag_coefficient);
+            (gravity, drag, None, (None, Some(PanelWind::new(flow))))
         }
     }
 }

@@ -46,6 +46,9 @@ pub const FACETS: Wind = Wind::Facet([4.0, 2.0, -0.5]);
 /// A breeze that lifts a [`flag`].
 pub const BREEZE: Wind = Wind::Aerodynamic { velocity: [4.0, 2.0, -0.5], density: 1.2, drag_coefficient: 1.3 };
 
+/// The same on panels.
+pub const PANELS: Wind = Wind::Panel { velocity: [4.0, 2.0, -0.5], density: 1.2, drag_coefficient: 1.3 };
+
 /// A curtain of 2 m × 1 m with a hem, held at its upper corners: cells that are no squares, masses that differ.
 pub fn curtain(wind: Option<Wind>) -> Model {
     let sheet = Sheet::new(Pose::Hang, [24, 16], [2.0, 1.0]).with_density(0.2).with_hem(2.0);

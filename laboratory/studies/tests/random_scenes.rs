@@ -26,7 +26,7 @@ fn vector(largest: f64) -> impl Strategy<Value = [f64; 3]> {
 
 /// Tables that a scene may have or not.
 fn extras() -> impl Strategy<Value = String> {
-    let wind = (vector(30.0), select(&["facet", "aerodynamic"][..]))
+    let wind = (vector(30.0), select(&["facet", "aerodynamic", "panel"][..]))
         .prop_map(|(velocity, model)| format!("wind = {{ velocity = {velocity:?}, model = \"{model}\" }}\n"));
     let environment = (vector(20.0), power(-2.0, 2.0), proptest::option::of(wind)).prop_map(|(gravity, drag, wind)| {
         format!("[environment]\ngravity = {gravity:?}\ndrag = {drag}\n{}", wind.unwrap_or_default())

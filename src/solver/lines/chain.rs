@@ -129,7 +129,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         // of each link with the one after it
         let normal_next = ahead::<1, S, W>(&normal);
         for k in columns::<2, 0, W>() {
-            coupling[k] = normal.at(k).cosine(normal_next(k)).scaled(dividend);
+            coupling[k] = self.strength.of_dividend(normal.at(k).cosine(normal_next(k)));
         }
         for k in 0..W {
             diagonal[k] = own + own + divisor;
@@ -324,7 +324,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             let [u, v] =
                 [&particles.inverse_mass.0[place.row::<H>(k)], &particles.inverse_mass.0[place.row::<H>(k + 1)]];
             for lane in 0..N {
-                let coupling = before.at(lane).cosine(link.normal.at(lane)).scaled(dividend);
+                let coupling = self.strength.of_dividend(before.at(lane).cosine(link.normal.at(lane)));
                 let (coupling, inverse_mass) = if ORDINARY {
                     (coupling, S::ONE + S::ONE)
                 } else {

@@ -22,7 +22,7 @@ const BEND_LINKS: u64 = (2 * SIDE * (SIDE - 2)) as u64;
 const DIAGONALS: u64 = (2 * (SIDE - 1) * (SIDE - 1)) as u64;
 
 /// A kernel: what it is, the scene with it, the scene without, and how often a substep runs it.
-const KERNELS: [(&str, &str, Option<&str>, u64); 13] = [
+const KERNELS: [(&str, &str, Option<&str>, u64); 14] = [
     ("stretch link, XPBD sweep", "stretch", Some("bare"), STRETCH_LINKS),
     ("stretch link, Verlet sweep", "verlet, stretch", Some("verlet, bare"), STRETCH_LINKS),
     ("shear link, XPBD sweep", "shear", Some("bare"), DIAGONALS),
@@ -34,6 +34,7 @@ const KERNELS: [(&str, &str, Option<&str>, u64); 13] = [
     ("drag of a particle", "drag", Some("bare"), PARTICLES),
     ("facet wind on a triangle", "facet wind", Some("bare"), DIAGONALS),
     ("aerodynamic wind on a triangle", "aerodynamic wind", Some("bare"), DIAGONALS),
+    ("panel wind on a cell", "panel wind", Some("bare"), DIAGONALS / 2),
     ("sphere, no contact, a particle", "sphere", Some("bare"), PARTICLES),
     ("capsule, no contact, a particle", "capsule", Some("bare"), PARTICLES),
 ];
@@ -50,7 +51,7 @@ const FRAMES: [(&str, &str); 7] = [
 ];
 
 /// What a scene may name, and the scene that has it.
-const PARTS: [(&str, &str, &str); 14] = [
+const PARTS: [(&str, &str, &str); 15] = [
     ("nothing: `()` in every place", "unnamed", "bare"),
     ("stretch", "stretch", "bare"),
     ("shear", "shear", "bare"),
@@ -61,6 +62,7 @@ const PARTS: [(&str, &str, &str); 14] = [
     ("drag", "drag", "bare"),
     ("facet wind", "facet wind", "bare"),
     ("aerodynamic wind", "aerodynamic wind", "bare"),
+    ("panel wind", "panel wind", "bare"),
     ("sphere", "sphere", "bare"),
     ("plane", "plane", "bare"),
     ("capsule", "capsule", "bare"),

@@ -53,6 +53,8 @@ pub enum Wind {
     Facet(Vector),
     /// Quadratic drag along the normal, relative to the triangle's own velocity, a third of it on each corner.
     Aerodynamic { velocity: Vector, density: f64, drag_coefficient: f64 },
+    /// The same for cells, whose area and normal are half the product of their diagonals, a quarter of it on each corner.
+    Panel { velocity: Vector, density: f64, drag_coefficient: f64 },
 }
 
 /// Everything that decides how the sheet moves.

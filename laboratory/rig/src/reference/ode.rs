@@ -21,6 +21,7 @@ struct Link {
 /// A [`Model`] with its links and triangles listed.
 pub struct Ode {
     links: Vec<Link>,
+    cells: Vec<[usize; 4]>,
     triangles: Vec<[usize; 3]>,
     mass: Vec<f64>,
     pinned: Vec<bool>,
@@ -45,13 +46,15 @@ impl Ode {
                 }
             }
         }
-        let triangles = sheet.cells().into_iter().flat_map(|[p, q, s, t]| [[q, p, s], [t, q, s]]).collect();
+        let cells = sheet.cells();
+        let triangles = cells.iter().flat_map(|&[p, q, s, t]| [[q, p, s], [t, q, s]]).collect();
         let mut pinned = vec![false; sheet.particles()];
         for &pin in &sheet.pins {
             pinned[sheet.index(pin)] = true;
         }
         Self {
             links,
+            cells,
             triangles,
             mass: sheet.masses.clone(),
             pinned,
@@ -90,7 +93,11 @@ impl Ode {
         }
     }
 
-    fn add_wind_forces(&self, wind: &Wind, State { position, velocity }: &State, force: &mut [Vector]) {
+    fn add_wind_forces(&self, wind: &Wind, state: &State, force: &mut [Vector]) {
+        let State { position, velocity } = state;
+        if let Wind::Panel { velocity, density, drag_coefficient } = *wind {
+            return self.add_panel_forces(velocity, density * drag_coefficient, state, force);
+        }
         for &[a, b, c] in &self.triangles {
             let n = cross(sub(position[b], position[a]), sub(position[c], position[a]));
             let twice_area = norm(n);
@@ -106,9 +113,28 @@ impl Ode {
                     let area = twice_area / 2.0;
                     scale(0.5 * density * drag_coefficient * area * across * across.abs() / 3.0, unit)
                 }
+                Wind::Panel { .. } => unreachable!("it presses on cells"),
             };
             for corner in [a, b, c] {
                 force[corner] = add(force[corner], on_each_corner);
+            }
+        }
+    }
+
+    fn add_panel_forces(&self, wind: Vector, drag: f64, State { position, velocity }: &State, force: &mut [Vector]) {
+        for &[p, q, s, t] in &self.cells {
+            let vector_area = scale(0.5, cross(sub(position[t], position[p]), sub(position[s], position[q])));
+            let area = norm(vector_area);
+            if area == 0.0 {
+                continue;
+            }
+            let unit = scale(1.0 / area, vector_area);
+            let corners = [p, q, s, t];
+            let sum = corners.iter().fold([0.0; 3], |sum, &corner| add(sum, velocity[corner]));
+            let across = dot(unit, sub(wind, scale(0.25, sum)));
+            let whole = scale(0.5 * drag * area * across * across.abs(), unit);
+            for corner in corners {
+                force[corner] = add(force[corner], scale(0.25, whole));
             }
         }
     }
