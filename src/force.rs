@@ -17,18 +17,19 @@ pub use wind::{AerodynamicWind, FacetWind};
 
 /// A force, or none, or several.
 ///
-/// What a force leaves at its default costs nothing.
+/// What a force says of itself is at first what no force contradicts, and then costs a little: [`DRAG`](Self::DRAG), [`UNIFORM`](Self::UNIFORM),
+/// [`is_field`](Self::is_field) and [`follows_velocity`](Self::follows_velocity) are for forces that want to cost less.
 pub trait Force<S: Scalar> {
-    /// Whether there is drag.
-    const DRAG: bool = false;
+    /// Whether [`drag`](Self::drag) may be any. A force that says no costs no product.
+    const DRAG: bool = true;
     /// Whether [`uniform`](Self::uniform) may be anything but zero. A force that says no costs no addition: adding zero is not nothing for a
     /// float, which knows two of them.
     const UNIFORM: bool = true;
 
-    /// Whether the force is a field that [`particles`](Self::particles) or [`cells`](Self::cells) evaluates.
+    /// Whether the force is a field that [`particles`](Self::particles) or [`cells`](Self::cells) evaluates: if not, they are not called.
     #[inline]
     fn is_field(&self) -> bool {
-        false
+        true
     }
 
     /// The velocity that every particle gains in a substep whatever its mass (cells per tick).
@@ -46,7 +47,7 @@ pub trait Force<S: Scalar> {
     /// Whether the field depends on velocities, so that leapfrog evaluates it twice.
     #[inline]
     fn follows_velocity(&self) -> bool {
-        false
+        true
     }
 
     /// Adds the velocities that the particles of a row would gain in a substep if their mass were 1 (cells per tick).
@@ -127,6 +128,18 @@ impl<S: Scalar> Gravity<S> {
 }
 
 impl<S: Scalar> Force<S> for Gravity<S> {
+    const DRAG: bool = false;
+
+    #[inline]
+    fn is_field(&self) -> bool {
+        false
+    }
+
+    #[inline]
+    fn follows_velocity(&self) -> bool {
+        false
+    }
+
     #[inline]
     fn uniform(&self) -> Vec3<S> {
         self.gain
@@ -163,6 +176,16 @@ impl<S: Scalar> Force<S> for Drag<S> {
     const UNIFORM: bool = false;
 
     #[inline]
+    fn is_field(&self) -> bool {
+        false
+    }
+
+    #[inline]
+    fn follows_velocity(&self) -> bool {
+        false
+    }
+
+    #[inline]
     fn drag(&self) -> Slowdown<S> {
         self.slowdown
     }
@@ -175,7 +198,18 @@ impl<S: Scalar> Force<S> for Drag<S> {
 }
 
 impl<S: Scalar> Force<S> for () {
+    const DRAG: bool = false;
     const UNIFORM: bool = false;
+
+    #[inline]
+    fn is_field(&self) -> bool {
+        false
+    }
+
+    #[inline]
+    fn follows_velocity(&self) -> bool {
+        false
+    }
 
     #[inline]
     fn fingerprint(&self, _print: &mut Fingerprint) {}

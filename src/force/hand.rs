@@ -108,6 +108,7 @@ impl<S: Scalar> Hand<S> {
 }
 
 impl<S: Scalar> Force<S> for Hand<S> {
+    const DRAG: bool = false;
     const UNIFORM: bool = false;
 
     #[inline]

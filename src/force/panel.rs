@@ -56,6 +56,7 @@ impl<S: Scalar> PanelWind<S> {
 }
 
 impl<S: Scalar> Force<S> for PanelWind<S> {
+    const DRAG: bool = false;
     const UNIFORM: bool = false;
 
     #[inline]

@@ -35,7 +35,13 @@ impl<S: Scalar> FacetWind<S> {
 }
 
 impl<S: Scalar> Force<S> for FacetWind<S> {
+    const DRAG: bool = false;
     const UNIFORM: bool = false;
+
+    #[inline]
+    fn follows_velocity(&self) -> bool {
+        false
+    }
 
     #[inline]
     fn is_field(&self) -> bool {
@@ -96,6 +102,7 @@ impl<S: Scalar> AerodynamicWind<S> {
 }
 
 impl<S: Scalar> Force<S> for AerodynamicWind<S> {
+    const DRAG: bool = false;
     const UNIFORM: bool = false;
 
     #[inline]

@@ -2,8 +2,12 @@
 
 use std::f64::consts::TAU;
 
+use kerchief::force::Slowdown;
 use kerchief::force::{Force, Row};
-use kerchief::{Cloth, Leapfrog, Q24, Scalar, Scene, Units, Vec3};
+use kerchief::{
+    BackwardEuler, Cloth, Drag, FacetWind, ForwardEuler, Gravity, Leapfrog, Lines, Node, Q24, Scalar, Scene, Solver,
+    Stretch, Units, Vec3, Verlet, Xpbd, measure,
+};
 
 struct Trap<S> {
     /// The velocity gained in a substep (cells per tick) at a distance of one cell.
@@ -18,11 +22,6 @@ impl<S: Scalar> Trap<S> {
 }
 
 impl<S: Scalar> Force<S> for Trap<S> {
-    #[inline]
-    fn is_field(&self) -> bool {
-        true
-    }
-
     fn particles<const W: usize>(&self, row: Row<'_, S, W>, gain: &mut Vec3<[S; W]>) {
         for column in 0..W {
             gain.add(column, -(row.position.at(column) * self.gain));
@@ -57,4 +56,60 @@ fn a_force_of_ones_own_has_its_period() {
     particles_return_after_a_period::<f64>(1e-6);
     particles_return_after_a_period::<f32>(1e-5);
     particles_return_after_a_period::<Q24>(1e-5);
+}
+
+/// The crate's own forces, told apart: each of these has one method of theirs and says nothing of itself.
+struct Weight(Gravity<f64>);
+struct Brake(Drag<f64>);
+struct Cells(FacetWind<f64>);
+
+impl Force<f64> for Weight {
+    fn uniform(&self) -> Vec3<f64> {
+        self.0.uniform()
+    }
+}
+
+impl Force<f64> for Brake {
+    fn drag(&self) -> Slowdown<f64> {
+        self.0.drag()
+    }
+}
+
+impl Force<f64> for Cells {
+    fn cells<const W: usize>(&self, rows: [Row<'_, f64, W>; 2], gains: [&mut Vec3<[f64; W]>; 2]) {
+        self.0.cells(rows, gains);
+    }
+}
+
+/// A sheet after a second.
+fn end<V: Solver<f64>>(forces: impl Force<f64>, solver: V) -> u32 {
+    let units = Units::sheet([5, 4], [0.4, 0.3], 1e-3, 0.02, 16);
+    let mut cloth = Cloth::<f64, 5, 4>::lay(&units, units.point([0.0; 3]));
+    cloth.pin(Node::new(0, 0));
+    cloth.pin(Node::new(4, 0));
+    let scene = Scene::new(&units, forces, Stretch::new(&units, units.stiffness(10.0)), (), solver);
+    let mut memory = scene.memory();
+    (0..50).for_each(|_| scene.step(&mut cloth, &mut memory));
+    measure::digest(&cloth)
+}
+
+/// What a force implements acts, by every solver, whether or not it says so.
+#[test]
+fn a_force_that_says_nothing_of_itself_acts() {
+    fn check<V: Solver<f64> + Copy>(solver: V) {
+        let units = Units::sheet([5, 4], [0.4, 0.3], 1e-3, 0.02, 16);
+        let gravity = Gravity::new(units.acceleration([0.0, 0.0, -9.81]));
+        let drag = Drag::new(units.drag(2.0));
+        let wind = FacetWind::new(units.facet_wind([0.5, 1.0, 0.2]));
+        let own = end((gravity, drag, wind), solver);
+        assert_eq!(own, end((Weight(gravity), Brake(drag), Cells(wind)), solver));
+        assert_eq!(own, end((Some(Weight(gravity)), (Brake(drag), Cells(wind))), solver));
+        assert_ne!(own, end((Weight(gravity), Brake(drag)), solver));
+    }
+    check(ForwardEuler);
+    check(BackwardEuler::new());
+    check(Leapfrog);
+    check(Verlet::new());
+    check(Xpbd);
+    check(Lines::new());
 }
