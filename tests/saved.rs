@@ -14,6 +14,7 @@ const W: usize = 7;
 const H: usize = 5;
 
 type Springs<S> = (Damped<Stretch<S>, S>, Shear<S>, Bend<S>);
+type State<S, V> = (Cloth<S, W, H>, <V as Solver<S>>::Memory<Springs<S>, W, H>);
 
 /// 50 frames, saved and restored after 25 by a format, which gives the state anew.
 fn goes_on<S, V>(name: &str, solver: V, substeps: u32, stiffness: f64)
@@ -40,8 +41,7 @@ where
     (0..25).for_each(|_| scene.step(&mut cloth, &mut memory));
     let bytes = postcard::to_stdvec(&(&cloth, &memory)).unwrap();
     let text = serde_json::to_string(&(&cloth, &memory)).unwrap();
-    let mut states: [(Cloth<S, W, H>, V::Memory<Springs<S>, W, H>); 2] =
-        [postcard::from_bytes(&bytes).unwrap(), serde_json::from_str(&text).unwrap()];
+    let mut states: [State<S, V>; 2] = [postcard::from_bytes(&bytes).unwrap(), serde_json::from_str(&text).unwrap()];
     for frame in 25..50 {
         scene.step(&mut cloth, &mut memory);
         for (restored, remembered) in &mut states {
