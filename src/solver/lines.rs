@@ -127,6 +127,7 @@ pub struct Memory<S, const W: usize, const H: usize, const N: usize> {
     kept: Kept,
     split: Split,
     history: History,
+    residual: S,
 }
 
 impl<S: Scalar, const W: usize, const H: usize, const N: usize> Memory<S, W, H, N> {
@@ -134,8 +135,33 @@ impl<S: Scalar, const W: usize, const H: usize, const N: usize> Memory<S, W, H, 
     pub const BLANK: Self = {
         assert!(N >= 2, "the line solver remembers rows and columns at least");
         let (earlier, tension) = (Vectors::filled(Vec3::ZERO), [Grid::filled(S::ZERO); N]);
-        Self { earlier, tension, kept: Kept::NONE, split: Split::NONE, history: History::None }
+        let (kept, split, history, residual) = (Kept::NONE, Split::NONE, History::None, S::ZERO);
+        Self { earlier, tension, kept, split, history, residual }
     };
+}
+
+impl<S: Scalar, const W: usize, const H: usize, const N: usize> Memory<S, W, H, N> {
+    /// What the sweeps of the last substep left: the largest strain of a row that a last sweep found before it solved the row; of a substep that was split, the largest of all
+    /// its parts. Of a single sweep it is all strain that there is, of soft springs as well.
+    ///
+    /// Up to twice the [tolerance](Lines::tolerance) a substep is as accurate as its step allows. Where it stays above, the sheet has all the sweeps and parts that it may have,
+    /// and more of either ([`Lines::most_sweeps`]) or shorter steps would change what it does.
+    ///
+    /// ```
+    /// use kerchief::{Cloth, Gravity, Lines, Scene, Stretch, Units};
+    ///
+    /// const UNITS: Units = Units::sheet([8, 8], [0.3, 0.3], 1e-3, 1.0 / 60.0, 4);
+    /// let mut cloth = Cloth::<f32, 8, 8>::hang(&UNITS, UNITS.point([0.0, 0.0, 0.3]));
+    /// cloth.pin(kerchief::Node::new(0, 0));
+    /// let gravity = Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81]));
+    /// let scene = Scene::new(&UNITS, gravity, Stretch::new(&UNITS, UNITS.stiffness(1e3)), (), Lines::new());
+    /// let mut memory = scene.memory();
+    /// scene.step(&mut cloth, &mut memory);
+    /// assert!(f64::from(memory.residual()) < scene.solver.tolerance);
+    /// ```
+    pub fn residual(&self) -> S {
+        self.residual
+    }
 }
 
 /// What is known of the past.
@@ -181,6 +207,7 @@ impl<S: Scalar, const N: usize> Solver<S> for Lines<N> {
             };
             outcome = outcome.and(self.part(physics, particles, memory, moment, split));
         }
+        memory.residual = outcome.residual;
         if memory.split.learn(&outcome, S::from_f64(self.tolerance), W.max(H), self.most_sweeps) {
             memory.history = History::Rough;
             memory.kept = Kept::NONE;
@@ -261,8 +288,8 @@ impl<const N: usize> Lines<N> {
         }
         memory.history = if met > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
         // what is overstretched comes together by sweeps: shorter steps would throw it
-        let residual = if met > S::ONE || !none_is_light { S::ZERO } else { met };
-        Outcome { residual, few: sweeps <= least_sweeps }
+        let mendable = if met > S::ONE || !none_is_light { S::ZERO } else { met };
+        Outcome { residual: met, mendable, few: sweeps <= least_sweeps }
     }
 }
 
