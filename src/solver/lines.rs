@@ -28,6 +28,7 @@ mod pairs;
 mod predict;
 mod pull;
 mod relax;
+mod smooth;
 mod split;
 mod sweeps;
 mod viscosity;
@@ -46,6 +47,7 @@ use crate::vectors::Vectors;
 
 use pull::Pull;
 use relax::Relax;
+use smooth::{SLOW, smooth};
 use split::{Outcome, Split};
 use sweeps::Kept;
 use viscosity::Axes;
@@ -273,9 +275,12 @@ impl<const N: usize> Lines<N> {
             sweeps += 1;
         }
         relax.complete();
+        // light particles are swept, not split, and soft springs take up what sweeps leave
+        let shakes = split > 0 && none_is_light && relax.is_stiff;
         let plenty = before < tolerance.halve(PLENTY);
         // the least number needs no keeping
-        let keeps = sweeps > least_sweeps && is_calm(particles, moment);
+        // fixed point holds no larger speeds than those of 512 substeps
+        let keeps = sweeps > least_sweeps && is_slow(particles, CALM, moment.shift.min(9));
         memory.kept = if keeps { memory.kept.after(sweeps, plenty) } else { Kept::NONE };
         physics.links.confine(particles, moment);
         if let Some(start) = &start {
@@ -285,6 +290,9 @@ impl<const N: usize> Lines<N> {
             // springs of backward Euler pull for a whole substep, the others for two thirds
             let share = if part == S::ONE { S::from_f64(2.0 / 3.0) } else { S::ONE };
             pull.complete(physics.links, particles, started, axes, share);
+        }
+        if shakes && is_slow(particles, SLOW, (moment.shift - split).min(8)) {
+            smooth(particles);
         }
         memory.history = if met > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
         // what is overstretched comes together by sweeps: shorter steps would throw it
@@ -306,13 +314,12 @@ const fn spare<S: Scalar, L: Links<S>>(grids: usize) -> usize {
     }
 }
 
-/// Whether no particle moves by more than a part of a cell in a substep. In motion one of the first does.
+/// Whether no particle moves by so many cells in the 2^shift-th part of a tick. In motion one of the first does.
 #[inline(never)] // one for all scenes
-fn is_calm<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, moment: Moment) -> bool {
-    // fixed point holds no larger speeds than those of 512 substeps
-    let most = S::from_f64(CALM).double(moment.shift.min(9));
-    let calm = |speeds: &[S; W]| speeds.iter().fold(S::ZERO, |most, speed| most.max(speed.abs())) < most;
-    particles.velocity.0.iter().all(|row| calm(&row.x) && calm(&row.y) && calm(&row.z))
+fn is_slow<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, cells: f64, shift: u32) -> bool {
+    let most = S::from_f64(cells).double(shift);
+    let slow = |speeds: &[S; W]| speeds.iter().fold(S::ZERO, |most, speed| most.max(speed.abs())) < most;
+    particles.velocity.0.iter().all(|row| slow(&row.x) && slow(&row.y) && slow(&row.z))
 }
 
 /// Moves a particle by a link. In fixed point its velocity is [set aside](relax::Relax::set_aside).
