@@ -141,9 +141,9 @@ impl Sheet {
         Units::sheet([side, side], [self.size; 2], self.mass / (side * side) as f64, self.frame, substeps)
     }
 
-    fn cloth<S: Scalar, const N: usize>(&self) -> Box<Cloth<S, N, N>> {
+    /// Puts a sheet where it begins, and pins it.
+    fn place<S: Scalar, const N: usize>(&self, cloth: &mut Cloth<S, N, N>) {
         let (units, half) = (self.units(1), 0.5 * self.size);
-        let mut cloth = Box::new(Cloth::BLANK);
         match self.start {
             Start::Hung => cloth.hang_here(&units, units.point([-half, 0.0, half])),
             Start::Laid | Start::Folded => cloth.lay_here(&units, units.point([-half, -half, 0.0])),
@@ -163,12 +163,12 @@ impl Sheet {
                 }
             }
         }
-        cloth
     }
 
     fn run_on<S: Scalar, const N: usize>(&self, substeps: u32, seconds: f64) -> Found {
         let Self { size, mass, springs, frame, drag, .. } = *self;
-        let (units, mut cloth) = (self.units(substeps), self.cloth::<S, N>());
+        let (units, mut cloth) = (self.units(substeps), Box::new(Cloth::<S, N, N>::BLANK));
+        self.place(&mut cloth);
         // so that no rounding decides where the sheet goes
         let mut lot = Lot(1);
         for node in Grid::<S, N, N>::nodes() {
