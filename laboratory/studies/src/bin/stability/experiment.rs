@@ -112,7 +112,8 @@ impl Experiment {
         moving.restore(&state);
         let weight = DENSITY * SIZE * SIZE * GRAVITY * SIZE;
         // in fixed point it comes back from the other end of the range
-        let gone = SIZE * f64::min(FURTHEST, 100.0 / (self.side - 1) as f64);
+        let range = if matches!(scalar, ScalarKind::F32 | ScalarKind::F64) { f64::INFINITY } else { 100.0 };
+        let gone = SIZE * f64::min(FURTHEST, range / (self.side - 1) as f64);
         let start = moving.energy();
         let (mut strain, mut energy) = (0.0_f64, 0.0_f64);
         for _ in 0..frames {
