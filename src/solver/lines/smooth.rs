@@ -36,3 +36,68 @@ pub(super) fn smooth<S: Scalar, const W: usize, const H: usize>(particles: &mut 
         above = here;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cloth::Cloth;
+    use crate::grid::{Grid, Node};
+    use crate::scalar::{Q13, Q24};
+
+    type Sheet<S> = Cloth<S, 4, 3>;
+
+    /// A sheet of free particles.
+    fn free<S: Scalar>() -> Sheet<S> {
+        let mut cloth = Sheet::BLANK;
+        cloth.inverse_mass = Grid::filled(S::ONE);
+        cloth
+    }
+
+    /// A sheet of which one particle is pinned and each has another velocity, or its mirror image.
+    fn shaken<S: Scalar>(mirrored: bool) -> Sheet<S> {
+        let mut cloth = free();
+        let place = |node: Node| if mirrored { Node::new(3 - node.column, node.row) } else { node };
+        for (k, node) in Grid::<S, 4, 3>::nodes().enumerate() {
+            let number = |a: f64| (a * k as f64).sin();
+            cloth.velocity.set(place(node), Vec3::from_f64([number(7.3), number(2.1), number(4.7)]));
+        }
+        cloth.pin(place(Node::new(1, 0)));
+        cloth
+    }
+
+    fn shaking_fades<S: Scalar>() {
+        let mut cloth = shaken::<S>(false);
+        let energy = |cloth: &Sheet<S>| cloth.velocity.values().map(|v| v.dot(v).to_f64()).sum::<f64>();
+        let pin = Node::new(1, 0);
+        let [start, held] = [energy(&cloth), cloth.velocity.at(pin).to_f64()[0]];
+        smooth(&mut cloth);
+        assert!(energy(&cloth) < 0.7 * start, "{} of {start} in {}", energy(&cloth), S::NAME);
+        assert_eq!(cloth.velocity.at(pin).to_f64()[0], held, "a pin in {}", S::NAME);
+    }
+
+    #[test]
+    fn neighbours_stop_shaking_against_each_other() {
+        shaking_fades::<f32>();
+        shaking_fades::<Q24>();
+        shaking_fades::<Q13>();
+    }
+
+    #[test]
+    fn what_moves_as_a_whole_goes_on() {
+        let mut cloth = free::<Q24>();
+        let v = Vec3::from_f64([0.1, -2.3, 4.5]);
+        Grid::<Q24, 4, 3>::nodes().for_each(|node| cloth.velocity.set(node, v));
+        smooth(&mut cloth);
+        assert!(cloth.velocity.values().all(|found| found == v));
+    }
+
+    #[test]
+    fn a_mirrored_sheet_is_smoothed_as_the_mirror_image() {
+        let [mut cloth, mut image] = [false, true].map(shaken::<f32>);
+        smooth(&mut cloth);
+        smooth(&mut image);
+        for node in Grid::<f32, 4, 3>::nodes() {
+            assert_eq!(cloth.velocity.at(node), image.velocity.at(Node::new(3 - node.column, node.row)));
+        }
+    }
+}
