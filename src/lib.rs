@@ -108,7 +108,7 @@ pub use rest::{Resting, Stillness};
 pub use scalar::{Fixed24, Q13, Q24, Scalar};
 pub use scene::Scene;
 pub use sheet::Sheet;
-pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Solver, Verlet, Xpbd};
+pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, LinesMemory, Solver, Verlet, Xpbd};
 pub use units::{Point, Units};
 pub use vec3::Vec3;
 pub use vectors::Vectors;

@@ -37,7 +37,7 @@ use crate::scalar::Scalar;
 pub use backward_euler::BackwardEuler;
 pub use forward_euler::ForwardEuler;
 pub use leapfrog::Leapfrog;
-pub use lines::Lines;
+pub use lines::{Lines, Memory as LinesMemory};
 pub use verlet::Verlet;
 pub use xpbd::Xpbd;
 

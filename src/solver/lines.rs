@@ -28,6 +28,7 @@ mod pairs;
 mod predict;
 mod pull;
 mod relax;
+mod smooth;
 mod split;
 mod sweeps;
 mod viscosity;
@@ -46,6 +47,7 @@ use crate::vectors::Vectors;
 
 use pull::Pull;
 use relax::Relax;
+use smooth::{SLOW, smooth};
 use split::{Outcome, Split};
 use sweeps::Kept;
 use viscosity::Axes;
@@ -133,6 +135,7 @@ pub struct Memory<S, T, P, const W: usize, const H: usize> {
     kept: Kept,
     split: Split,
     history: History,
+    residual: S,
 }
 
 impl<S: Scalar, T: Blank, P: Blank, const W: usize, const H: usize> Memory<S, T, P, W, H> {
@@ -144,7 +147,32 @@ impl<S: Scalar, T: Blank, P: Blank, const W: usize, const H: usize> Memory<S, T,
         kept: Kept::NONE,
         split: Split::NONE,
         history: History::None,
+        residual: S::ZERO,
     };
+}
+
+impl<S: Scalar, T, P, const W: usize, const H: usize> Memory<S, T, P, W, H> {
+    /// What the sweeps of the last substep left: the largest strain of a row that a last sweep found before it solved the row; of a substep that was split, the largest of all
+    /// its parts. Of a single sweep it is all strain that there is, of soft springs as well.
+    ///
+    /// Up to twice the [tolerance](Lines::tolerance) a substep is as accurate as its step allows. Where it stays above, the sheet has all the sweeps and parts that it may have,
+    /// and more of either ([`Lines::most_sweeps`]) or shorter steps would change what it does.
+    ///
+    /// ```
+    /// use kerchief::{Cloth, Gravity, Lines, Scene, Stretch, Units};
+    ///
+    /// const UNITS: Units = Units::sheet([8, 8], [0.3, 0.3], 1e-3, 1.0 / 60.0, 4);
+    /// let mut cloth = Cloth::<f32, 8, 8>::hang(&UNITS, UNITS.point([0.0, 0.0, 0.3]));
+    /// cloth.pin(kerchief::Node::new(0, 0));
+    /// let gravity = Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81]));
+    /// let scene = Scene::new(&UNITS, gravity, Stretch::new(&UNITS, UNITS.stiffness(1e3)), (), Lines::new());
+    /// let mut memory = scene.memory();
+    /// scene.step(&mut cloth, &mut memory);
+    /// assert!(f64::from(memory.residual()) < scene.solver.tolerance);
+    /// ```
+    pub fn residual(&self) -> S {
+        self.residual
+    }
 }
 
 /// The multipliers of links, and what is remembered beside dampers.
@@ -200,6 +228,7 @@ impl<S: Scalar> Solver<S> for Lines {
             };
             outcome = outcome.and(self.part(physics, particles, memory, moment, split));
         }
+        memory.residual = outcome.residual;
         if memory.split.learn(&outcome, S::from_f64(self.tolerance), W.max(H), self.most_sweeps) {
             memory.history = History::Rough;
             memory.kept = Kept::NONE;
@@ -265,9 +294,12 @@ impl Lines {
             sweeps += 1;
         }
         relax.complete();
+        // light particles are swept, not split, and soft springs take up what sweeps leave
+        let shakes = split > 0 && none_is_light && relax.is_stiff;
         let plenty = before < tolerance.halve(PLENTY);
         // the least number needs no keeping
-        let keeps = sweeps > least_sweeps && is_calm(particles, moment);
+        // fixed point holds no larger speeds than those of 512 substeps
+        let keeps = sweeps > least_sweeps && is_slow(particles, CALM, moment.shift.min(9));
         memory.kept = if keeps { memory.kept.after(sweeps, plenty) } else { Kept::NONE };
         physics.links.confine(particles, moment);
         if let Some(start) = &start {
@@ -278,20 +310,22 @@ impl Lines {
             let share = if part == S::ONE { S::from_f64(2.0 / 3.0) } else { S::ONE };
             pull.complete(physics.links, particles, started, axes, share);
         }
+        if shakes && is_slow(particles, SLOW, (moment.shift - split).min(8)) {
+            smooth(particles);
+        }
         memory.history = if met > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
         // what is overstretched comes together by sweeps: shorter steps would throw it
-        let residual = if met > S::ONE || !none_is_light { S::ZERO } else { met };
-        Outcome { residual, few: sweeps <= least_sweeps }
+        let mendable = if met > S::ONE || !none_is_light { S::ZERO } else { met };
+        Outcome { residual: met, mendable, few: sweeps <= least_sweeps }
     }
 }
 
-/// Whether no particle moves by more than a part of a cell in a substep. In motion one of the first does.
+/// Whether no particle moves by so many cells in the 2^shift-th part of a tick. In motion one of the first does.
 #[inline(never)] // one for all scenes
-fn is_calm<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, moment: Moment) -> bool {
-    // fixed point holds no larger speeds than those of 512 substeps
-    let most = S::from_f64(CALM).double(moment.shift.min(9));
-    let calm = |speeds: &[S; W]| speeds.iter().fold(S::ZERO, |most, speed| most.max(speed.abs())) < most;
-    particles.velocity.0.iter().all(|row| calm(&row.x) && calm(&row.y) && calm(&row.z))
+fn is_slow<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, cells: f64, shift: u32) -> bool {
+    let most = S::from_f64(cells).double(shift);
+    let slow = |speeds: &[S; W]| speeds.iter().fold(S::ZERO, |most, speed| most.max(speed.abs())) < most;
+    particles.velocity.0.iter().all(|row| slow(&row.x) && slow(&row.y) && slow(&row.z))
 }
 
 /// Moves a particle by a link. In fixed point its velocity is [set aside](relax::Relax::set_aside).

@@ -17,6 +17,8 @@ struct Outcome {
     energy: f64,
     /// How far the lowest particle lies below the start, m.
     depth: f64,
+    /// What sweeps left, at most and in the end.
+    residuals: [f64; 2],
 }
 
 /// A sheet of a metre and 0.2 kg, with springs of these strengths (stretch, shear and bend, N/m).
@@ -58,13 +60,15 @@ fn run<S: Scalar, const N: usize>(sheet: &Sheet, solver: Lines) -> Outcome {
     };
     let strain = |cloth: &Cloth<S, N, N>| measure::strain(cloth, &scene.links.0).largest.to_f64();
     let start = energy(&cloth);
-    let mut motion = 0.0_f64;
+    let [mut motion, mut residual] = [0.0_f64; 2];
     for _ in 0..(60.0 * seconds) as u32 {
         scene.step(&mut cloth, &mut memory);
         motion = motion.max(strain(&cloth));
+        residual = residual.max(memory.residual().to_f64());
     }
+    let residuals = [residual, memory.residual().to_f64()];
     let depth = -cloth.position.values().map(|Vec3 { z, .. }| z.to_f64()).fold(0.0, f64::min) * units.cell;
-    Outcome { motion, end: strain(&cloth), energy: energy(&cloth) - start, depth }
+    Outcome { motion, end: strain(&cloth), energy: energy(&cloth) - start, depth, residuals }
 }
 
 fn laid_sheets_hold<S: Scalar>(substeps: u32) {
@@ -100,6 +104,16 @@ fn what_hangs_from_its_centre_gains_nothing() {
         let found = run::<f32, 32>(&Sheet { centre: true, substeps, ..FIRM }, Lines::new());
         assert!(found.motion < 0.15 && found.end < 0.05 && found.energy < 0.0, "{substeps} substeps: {found:?}");
     }
+}
+
+#[test]
+fn what_sweeps_leave_can_be_asked() {
+    let residuals = |solver, seconds| run::<f32, 32>(&Sheet { seconds, ..FIRM }, solver).residuals;
+    let [most, end] = residuals(Lines::new(), 4.0);
+    // what is left is split away
+    assert!((0.02..0.5).contains(&most) && end < 0.04, "{most} {end}");
+    let [most, _] = residuals(Lines { most_sweeps: 2, ..Lines::new() }, 1.0);
+    assert!(most > 0.1, "{most}");
 }
 
 #[test]

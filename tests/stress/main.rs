@@ -16,6 +16,7 @@ mod light_border;
 mod light_row;
 mod materials;
 mod ordeal;
+mod random_sheets;
 mod soft_springs;
 mod stage;
 mod starts;

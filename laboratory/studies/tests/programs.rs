@@ -255,11 +255,13 @@ fn grids_and_parameters() {
 fn maps_of_stability() {
     let room = room();
     let room = room.path();
-    let args = ["--solvers", "leapfrog,lines", "--scalars", "f64,q24", "--points", "4", "--steps", "120"];
+    let args =
+        ["--solvers", "leapfrog,lines", "--scalars", "f64,q24", "--points", "4", "--frames", "120", "--most", "16"];
     succeeds(room, "stability", &args);
     let out = room.join("out/stability");
-    let expected = "stability-compliance-strain.svg stability-grid-strain.svg stability-mass-strain.svg \
-                    stability-stiffness-energy.svg stability-stiffness-strain.svg stability-wind-strain.svg stability.csv stability.md";
+    let expected = "stability-centre-energy.svg stability-centre-strain.svg stability-compliance-strain.svg stability-grid-energy.svg \
+                    stability-grid-strain.svg stability-laid-energy.svg stability-laid-strain.svg stability-mass-strain.svg \
+                    stability-stiffness-energy.svg stability-stiffness-strain.svg stability-storm-strain.svg stability-wind-strain.svg stability.csv stability.md";
     assert_eq!(names(&out).join(" "), expected);
     let (head, rows) = table(&out.join("stability.csv"));
     assert_eq!(head.join(" "), "map solver scalar across up outcome strain energy");
@@ -283,7 +285,7 @@ fn maps_of_stability() {
     for row in rows.iter().filter(|row| row["solver"] == "lines" && row["map"] != "compliance") {
         assert_ne!(row["outcome"], "gone", "{row:?}");
     }
-    for map in ["compliance", "grid", "mass", "stiffness", "wind"] {
+    for map in ["centre", "compliance", "grid", "laid", "mass", "stiffness", "storm", "wind"] {
         let path = out.join(format!("stability-{map}-strain.svg"));
         assert_plot(&path, &["limit of theory", "lines q24", "leapfrog f64", "gone"], 2);
     }

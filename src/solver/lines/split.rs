@@ -18,17 +18,20 @@ const EASY: u8 = 8;
 pub(super) struct Outcome<S> {
     /// The largest strain of a row that a last sweep found.
     pub(super) residual: S,
+    /// The same as far as shorter steps leave less.
+    pub(super) mendable: S,
     /// Whether the least number of sweeps was enough everywhere.
     pub(super) few: bool,
 }
 
 impl<S: Scalar> Outcome<S> {
     /// Of no part yet.
-    pub(super) const NONE: Self = Self { residual: S::ZERO, few: true };
+    pub(super) const NONE: Self = Self { residual: S::ZERO, mendable: S::ZERO, few: true };
 
     /// Of parts one after the other.
     pub(super) fn and(self, other: Self) -> Self {
-        Self { residual: self.residual.max(other.residual), few: self.few && other.few }
+        let (residual, mendable) = (self.residual.max(other.residual), self.mendable.max(other.mendable));
+        Self { residual, mendable, few: self.few && other.few }
     }
 }
 
@@ -72,9 +75,9 @@ impl Split {
     ) -> bool {
         let before = self.halvings;
         // parts twice as long have residuals up to four times as large: a quarter of what splits them
-        let easy = outcome.few && outcome.residual < tolerance.halve(3);
+        let easy = outcome.few && outcome.mendable < tolerance.halve(3);
         self.easy = if easy { self.easy + 1 } else { 0 };
-        if outcome.residual > tolerance.double(1) {
+        if outcome.mendable > tolerance.double(1) {
             let most = longer(side) + most_sweeps.max(1).ilog2();
             self.halvings = (before + 2).min(most as u8);
         } else if self.easy == EASY {
@@ -113,7 +116,7 @@ mod tests {
         for (side, sweeps, most) in [(8, 1, 0), (32, 2, 1), (32, 16, 4), (33, 16, 6), (64, 16, 6), (65, 16, 8)] {
             let mut split = Split::start(side, sweeps);
             for _ in 0..9 {
-                split.learn(&Outcome { residual: 0.1, few: false }, 0.02, side, sweeps);
+                split.learn(&Outcome { residual: 0.1, mendable: 0.1, few: false }, 0.02, side, sweeps);
             }
             assert_eq!(split.halvings(), most, "{sweeps} sweeps, {side} particles");
         }
@@ -123,7 +126,7 @@ mod tests {
     fn parts_are_joined_one_by_one_where_all_is_easy() {
         let mut split = Split { halvings: 2, easy: 0 };
         let mut run = |residual, few, substeps| {
-            (0..substeps).for_each(|_| _ = split.learn(&Outcome { residual, few }, 0.02, 32, 16));
+            (0..substeps).for_each(|_| _ = split.learn(&Outcome { residual, mendable: residual, few }, 0.02, 32, 16));
             split.halvings()
         };
         assert_eq!(run(0.002, true, 7), 2);

@@ -176,7 +176,7 @@ impl Sheet<'_> {
                 value.is_finite().then(|| self.scale.colour(value))
             }
             Outcome::Gone => Some(BLACK),
-            Outcome::NotHeld => None,
+            Outcome::NotHeld | Outcome::NotComputed => None,
         }
     }
 

@@ -27,11 +27,14 @@ struct Args {
     #[arg(long, value_name = "TYPE,…", value_delimiter = ',', value_parser = scalar_kind(), default_values = ScalarKind::ALL.map(ScalarKind::name))]
     scalars: Vec<ScalarKind>,
     /// Values along each axis of a map
-    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 12, value_parser = value_parser!(u32).range(2..=99))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 10, value_parser = value_parser!(u32).range(2..=99))]
     points: u32,
-    /// Solver steps of each run
+    /// Frames of a run of one substep each; of a run whose frames have several, a quarter
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 240, value_parser = value_parser!(u32).range(1..=100_000))]
-    steps: u32,
+    frames: u32,
+    /// The most particles a side
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 128, value_parser = value_parser!(u32).range(8..=128))]
+    most: u32,
     /// Where the page, its maps and tables go
     #[arg(long, value_name = "DIR", default_value = "out/stability")]
     out: PathBuf,
@@ -44,13 +47,19 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<(), String> {
     staging::prepare(&args.out)?;
     prepare_workers()?;
-    let setting = Setting { solvers: &args.solvers, scalars: &args.scalars, points: args.points, steps: args.steps };
+    let setting = Setting {
+        solvers: &args.solvers,
+        scalars: &args.scalars,
+        points: args.points,
+        frames: args.frames,
+        most: args.most,
+    };
     let bar = progress("runs", MAPS.iter().map(|map| map.runs(&setting)).sum());
     let maps: Vec<Map> = MAPS.iter().map(|plan| plan.explore(&setting, &bar)).collect::<Result<_, _>>()?;
     bar.finish_and_clear();
     let mut page = Page::default();
     page.paragraph("# Stability");
-    page.paragraph(&experiment::words(args.steps));
+    page.paragraph(&experiment::words(args.frames));
     verdict::report(&maps, &mut page);
     for map in &maps {
         map.report(&mut page, &args.out)?;

@@ -7,7 +7,7 @@ use kerchief::host::{ScalarKind, SolverKind};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::experiment::{Experiment, Outcome, USUAL};
+use crate::experiment::{Experiment, LARGEST, Outcome, Pose, USUAL};
 use crate::heat::{Panel, Scale, Sheet};
 use laboratory::page::Page;
 
@@ -18,8 +18,10 @@ pub(crate) struct Setting<'a> {
     pub(crate) scalars: &'a [ScalarKind],
     /// Values along each axis.
     pub(crate) points: u32,
-    /// Solver steps of a run.
-    pub(crate) steps: u32,
+    /// Frames of a run whose frames have one substep; others have a quarter of them.
+    pub(crate) frames: u32,
+    /// The most particles a side.
+    pub(crate) most: u32,
 }
 
 /// Something that changes.
@@ -35,15 +37,19 @@ pub(crate) struct Variable {
 enum Values {
     Between(f64, f64),
     These(&'static [f64]),
+    Sides(&'static [usize]),
 }
 
 impl Variable {
-    fn values(&self, points: u32) -> Vec<f64> {
+    fn values(&self, setting: &Setting) -> Vec<f64> {
         match self.values {
+            Values::Sides(values) => {
+                values.iter().map(|&side| side as f64).filter(|&side| side <= f64::from(setting.most)).collect()
+            }
             Values::These(values) => values.to_vec(),
             Values::Between(low, high) => {
-                let part = |k: u32| f64::from(k) / f64::from(points - 1);
-                (0..points).map(|k| low * (high / low).powf(part(k))).collect()
+                let part = |k: u32| f64::from(k) / f64::from(setting.points - 1);
+                (0..setting.points).map(|k| low * (high / low).powf(part(k))).collect()
             }
         }
     }
@@ -54,6 +60,10 @@ impl Variable {
 pub(crate) struct Plan {
     pub(crate) name: &'static str,
     pub(crate) title: &'static str,
+    /// What there is to say of its sheets, besides what holds for all.
+    words: &'static str,
+    /// The sheet of which two things change.
+    usual: Experiment,
     across: Variable,
     up: Variable,
     /// The value of `up` at which a solver stops to hold by theory, from that of `across`.
@@ -81,12 +91,51 @@ fn too_fast(solver: SolverKind, experiment: Experiment) -> Option<f64> {
     }
 }
 
+const SIDE: Variable = Variable {
+    words: "particles a side",
+    values: Values::Sides(&[4, 8, 16, 32, 48, 64, LARGEST]),
+    set: |experiment, side| experiment.side = side as usize,
+};
+
+/// Of a sixtieth of a second.
+const SUBSTEPS: Variable = Variable {
+    words: "substeps of 1/60 s",
+    values: Values::These(&[1.0, 2.0, 4.0, 8.0, 16.0]),
+    set: |experiment, substeps| experiment.substeps = substeps as u32,
+};
+
+const WIND: Variable = Variable {
+    words: "wind, m/s",
+    values: Values::Between(0.1, 100.0),
+    set: |experiment, wind| experiment.wind = wind,
+};
+
+/// The substeps at which springs are no longer too fast.
+fn too_few(solver: SolverKind, experiment: Experiment) -> Option<f64> {
+    too_fast(solver, experiment).map(|step| experiment.frame / step)
+}
+
+/// Of grids: stiff, so that sheets don't stretch by their own weight.
+const STIFF: Experiment = Experiment { stiffness: 1e4, drag: 2.0, ..USUAL };
+const SHEETS: &str = "Springs of 10⁴ N/m, drag 2 /s. Backward Euler up to 16 × 16, the line solver up to 64 × 64 (laid flat, in `f32`, to 128 × 128), the others up to 32 × 32.";
+
 /// All maps.
-pub(crate) const MAPS: [Plan; 5] = [
-    Plan { name: "stiffness", title: "Step and stiffness", across: STIFFNESS, up: STEP, limit: too_fast, energy: true },
+pub(crate) const MAPS: [Plan; 8] = [
+    Plan {
+        name: "stiffness",
+        title: "Step and stiffness",
+        words: "",
+        usual: USUAL,
+        across: STIFFNESS,
+        up: STEP,
+        limit: too_fast,
+        energy: true,
+    },
     Plan {
         name: "mass",
         title: "Step and mass ratio",
+        words: "",
+        usual: USUAL,
         across: Variable {
             words: "mass of the border / mass inside",
             values: Values::Between(1e-3, 1e3),
@@ -99,11 +148,9 @@ pub(crate) const MAPS: [Plan; 5] = [
     Plan {
         name: "wind",
         title: "Step and wind",
-        across: Variable {
-            words: "wind, m/s",
-            values: Values::Between(0.1, 100.0),
-            set: |experiment, wind| experiment.wind = wind,
-        },
+        words: "",
+        usual: USUAL,
+        across: WIND,
         up: STEP,
         limit: |solver, experiment| {
             let wind = 2.0 / experiment.wind_rate();
@@ -113,34 +160,56 @@ pub(crate) const MAPS: [Plan; 5] = [
     },
     Plan {
         name: "grid",
-        title: "Substeps and grid",
-        across: Variable {
-            words: "particles a side",
-            values: Values::These(&[4.0, 8.0, 12.0, 16.0, 24.0, 32.0]),
-            set: |experiment, side| experiment.side = side as usize,
-        },
-        up: Variable {
-            words: "substeps of 1/60 s",
-            values: Values::These(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0]),
-            set: |experiment, substeps| experiment.substeps = substeps as u32,
-        },
-        limit: |solver, experiment| too_fast(solver, experiment).map(|step| experiment.frame / step),
+        title: "Hung: substeps and grid",
+        words: SHEETS,
+        usual: STIFF,
+        across: SIDE,
+        up: SUBSTEPS,
+        limit: too_few,
+        energy: true,
+    },
+    Plan {
+        name: "laid",
+        title: "Laid flat and held at two corners: substeps and grid",
+        words: SHEETS,
+        usual: Experiment { pose: Pose::Laid, ..STIFF },
+        across: SIDE,
+        up: SUBSTEPS,
+        limit: too_few,
+        energy: true,
+    },
+    Plan {
+        name: "centre",
+        title: "Laid flat and held in the centre: substeps and grid",
+        words: SHEETS,
+        usual: Experiment { pose: Pose::Centre, ..STIFF },
+        across: SIDE,
+        up: SUBSTEPS,
+        limit: too_few,
+        energy: true,
+    },
+    Plan {
+        name: "storm",
+        title: "Storms: substeps and wind",
+        words: "16 × 16 particles, springs of 10⁴ N/m. The wind blows across the sheet.",
+        usual: Experiment { side: 16, stiffness: 1e4, ..USUAL },
+        across: WIND,
+        up: SUBSTEPS,
+        limit: too_few,
         energy: false,
     },
     Plan {
         name: "compliance",
         title: "Compliance and substeps",
+        words: "",
+        usual: USUAL,
         across: Variable {
             words: "compliance, m/N",
             values: Values::Between(1e-12, 1.0),
             set: |experiment, compliance| experiment.stiffness = 1.0 / compliance,
         },
-        up: Variable {
-            words: "substeps of 1/60 s",
-            values: Values::These(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0]),
-            set: |experiment, substeps| experiment.substeps = substeps as u32,
-        },
-        limit: |solver, experiment| too_fast(solver, experiment).map(|step| experiment.frame / step),
+        up: SUBSTEPS,
+        limit: too_few,
         energy: false,
     },
 ];
@@ -179,19 +248,24 @@ pub(crate) struct Row {
 impl Plan {
     /// The number of its runs.
     pub(crate) fn runs(&self, setting: &Setting) -> u64 {
-        let points = self.across.values(setting.points).len() * self.up.values(setting.points).len();
+        let points = self.across.values(setting).len() * self.up.values(setting).len();
         (points * setting.solvers.len() * setting.scalars.len()) as u64
+    }
+
+    /// The frames of a run: as many for all that a map compares.
+    fn frames(&self, setting: &Setting) -> u32 {
+        if self.up.words == SUBSTEPS.words { setting.frames.div_ceil(4) } else { setting.frames }
     }
 
     /// Makes all runs.
     pub(crate) fn explore(&self, setting: &Setting, bar: &ProgressBar) -> Result<Map, String> {
-        let (across, up) = (self.across.values(setting.points), self.up.values(setting.points));
+        let (across, up) = (self.across.values(setting), self.up.values(setting));
         let kinds =
             setting.solvers.iter().flat_map(|&solver| setting.scalars.iter().map(move |&scalar| (solver, scalar)));
         let fields = kinds.map(|(solver, scalar)| {
             let places: Vec<_> = up.iter().flat_map(|&up| across.iter().map(move |&across| (across, up))).collect();
             let run = |&(across, up): &(f64, f64)| {
-                let outcome = self.experiment(across, up).run(solver, scalar, setting.steps);
+                let outcome = self.experiment(across, up).run(solver, scalar, self.frames(setting));
                 bar.inc(1);
                 outcome
             };
@@ -203,7 +277,7 @@ impl Plan {
     }
 
     fn experiment(&self, across: f64, up: f64) -> Experiment {
-        let mut experiment = USUAL;
+        let mut experiment = self.usual;
         (self.up.set)(&mut experiment, up);
         (self.across.set)(&mut experiment, across);
         experiment
@@ -211,7 +285,11 @@ impl Plan {
 
     /// Where theory ends at a value of `across`.
     pub(crate) fn limit(&self, solver: SolverKind, across: f64) -> Option<f64> {
-        (self.limit)(solver, self.experiment(across, self.up.values(2)[0]))
+        let up = match self.up.values {
+            Values::Between(low, _) => low,
+            _ => 1.0,
+        };
+        (self.limit)(solver, self.experiment(across, up))
     }
 }
 
@@ -221,6 +299,7 @@ impl Map {
             field.outcomes.iter().enumerate().map(|(k, outcome)| {
                 let (word, strain, energy) = match *outcome {
                     Outcome::NotHeld => ("refused", None, None),
+                    Outcome::NotComputed => ("not computed", None, None),
                     Outcome::Gone => ("gone", None, None),
                     Outcome::Held { strain, energy } => ("held", Some(strain), Some(energy)),
                 };
@@ -242,6 +321,9 @@ impl Map {
     /// Draws strain and energy, and adds them to the page.
     pub(crate) fn report(&self, page: &mut Page, directory: &Path) -> Result<(), String> {
         page.paragraph(&format!("## {}", self.plan.title));
+        if !self.plan.words.is_empty() {
+            page.paragraph(self.plan.words);
+        }
         let strain = Scale { words: "largest strain of a stretch link", low: 1e-4, high: 10.0 };
         self.draw(strain, |strain, _| strain, directory, page)?;
         if self.plan.energy {
