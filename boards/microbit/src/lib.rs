@@ -2,6 +2,5 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-pub mod breeze;
 pub mod leds;
 pub mod show;

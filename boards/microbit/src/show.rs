@@ -1,9 +1,8 @@
 //! What the LEDs show: a flag of 8 × 8 particles, brighter where it blows towards the viewer.
 
 use kerchief::solver::Stateless;
-use kerchief::{Cloth, Gravity, Node, Q13, Scalar, Scene, Shear, Stretch, Units, Xpbd};
+use kerchief::{Cloth, Gravity, Node, PanelWind, Q13, Scalar, Scene, Shear, Stretch, Units, Vec3, Xpbd};
 
-use crate::breeze::Breeze;
 use crate::leds::{BRIGHTEST, LEDS};
 
 /// Particles a side.
@@ -16,7 +15,7 @@ const UNITS: Units = Units::sheet([SIDE, SIDE], [7.0, 7.0], 0.2, 1.0 / RATE as f
 /// The strongest wind, by the buttons.
 const STRONGEST: u32 = 3;
 
-type Forces = (Gravity<Q13>, Breeze);
+type Forces = (Gravity<Q13>, PanelWind<Q13>);
 type Springs = (Stretch<Q13>, Shear<Q13>);
 
 /// The flag and what moves it.
@@ -36,7 +35,8 @@ impl Show {
     pub fn new() -> Self {
         let mut cloth = Cloth::hang(&UNITS, UNITS.point([0.0; 3]));
         (0..SIDE).for_each(|row| cloth.pin(Node::new(0, row)));
-        let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), Breeze { wind: [0; 3] });
+        let air = PanelWind::new(UNITS.panel_wind([0.0; 3], 1.2, 1.2));
+        let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), air);
         let links = (Stretch::new(&UNITS, UNITS.stiffness(5_000.0)), Shear::new(&UNITS, UNITS.stiffness(500.0)));
         Self { cloth, scene: Scene::new(&UNITS, forces, links, (), Xpbd), wind: 2, step: 0 }
     }
@@ -48,12 +48,13 @@ impl Show {
 
     /// A step.
     pub fn step(&mut self) {
-        /// 3 m/s as a [`Breeze`] has it.
-        const UNIT: i32 = (UNITS.velocity([3.0, 0.0, 0.0]).0[0] * 8192.0) as i32;
+        /// 3 m/s, 2⁻²⁴ cells per tick.
+        const UNIT: i32 = (UNITS.velocity([3.0, 0.0, 0.0]).0[0] * (1 << 24) as f64) as i32;
         self.step += 1;
         let strength = UNIT * self.wind as i32;
         // it turns from side to side
-        self.scene.forces.1.wind = [strength, (strength * swing(self.step)) >> 6, 0];
+        let aside = (strength >> 6) * swing(self.step);
+        self.scene.forces.1.wind = Vec3::new(Q13::from_bits(strength), Q13::from_bits(aside), Q13::ZERO);
         self.scene.step(&mut self.cloth, &mut Stateless::new());
     }
 

@@ -11,11 +11,11 @@ use embedded_graphics::text::{Baseline, Text};
 use heapless::String;
 use kerchief::render::pattern::{CELL, Pattern, Place};
 use kerchief::render::{Camera, Light, Look, Shade, Shaded, View};
+use kerchief::units::PanelFlow;
 use kerchief::{
-    Cloth, Gravity, Node, Q13, Resting, Scalar, Scene, Shear, Solver, Stillness, Stretch, Units, Vec3, Xpbd, measure,
+    Cloth, Gravity, Node, PanelWind, Q13, Resting, Scalar, Scene, Shear, Solver, Stillness, Stretch, Units, Vec3, Xpbd,
+    measure,
 };
-
-use crate::breeze::Breeze;
 
 /// Particles a side.
 const SIDE: usize = 16;
@@ -28,14 +28,19 @@ pub const SCREEN: Size = Size::new(240, 240);
 /// (The line solver, one substep and a sweep or two, strains the flag by 2 to 5 % in place of 10 to 17, for 1.1 million cycles a step in place of 0.6.)
 const SUBSTEPS: u32 = 2;
 /// A flag of 24 m × 16 m: the larger, the less a step strains it. Row 0 is at the pole: links between particles of mass 1 cost less, and only this row has others.
-const UNITS: Units = Units::sheet([SIDE, SIDE], [16.0, 24.0], 0.05, 1.0 / RATE as f64, SUBSTEPS);
+const UNITS: Units = Units::sheet([SIDE, SIDE], [16.0, 24.0], 0.5, 1.0 / RATE as f64, SUBSTEPS);
 const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.8, -3.2, -20.0]), UNITS.point([23.2, 3.2, 2.4]), SCREEN);
 /// What moves by less than two pixels a second (20 cm/s), and gets no further than half a pixel in two seconds, rests. `Q13` lets a stretched cloth tremble by a quarter of that speed.
 const STILL: Stillness = Stillness { speed: 0.2, acceleration: 0.2, time: 2.0 };
-/// 1 m/s as a [`Breeze`] has it.
-const METRE: i32 = (UNITS.velocity([1.0, 0.0, 0.0]).0[0] * 8192.0) as i32;
+/// 1 m/s, 2⁻²⁴ cells per tick.
+const METRE: i32 = (UNITS.velocity([1.0, 0.0, 0.0]).0[0] * (1 << 24) as f64) as i32;
 
-type Forces = (Gravity<Q13>, Breeze);
+/// Air at rest.
+const CALM: PanelFlow = UNITS.panel_wind([0.0; 3], 1.2, 0.6);
+/// The same, in which a cloth comes to rest soon.
+const THICK: PanelFlow = UNITS.panel_wind([0.0; 3], 1.2, 12.0);
+
+type Forces = (Gravity<Q13>, PanelWind<Q13>);
 type Springs = (Stretch<Q13>, Shear<Q13>);
 type Mover = Resting<Xpbd>;
 
@@ -84,8 +89,8 @@ impl Play {
         }
     }
 
-    /// The wind after so many steps, as a [`Breeze`] has it.
-    fn wind(self, step: u32) -> [i32; 3] {
+    /// The velocity of the wind after so many steps.
+    fn wind(self, step: u32) -> Vec3<Q13> {
         let phase = step * 3 / 4;
         let [along, across, up] = match self {
             Self::Gusts => [
@@ -97,7 +102,8 @@ impl Play {
             Self::Corners => [0; 3],
         };
         // in 96ths of a metre a second
-        [along, across, up].map(|speed| speed * METRE / 96)
+        let [x, y, z] = [along, across, up].map(|speed| Q13::from_bits(speed * METRE / 96));
+        Vec3::new(x, y, z)
     }
 }
 
@@ -130,8 +136,8 @@ pub struct Show {
 impl Show {
     /// A flag in gusts, at its start.
     pub fn new() -> Self {
-        let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), Breeze { wind: [0; 3] });
-        let links = (Stretch::new(&UNITS, UNITS.stiffness(200_000.0)), Shear::new(&UNITS, UNITS.stiffness(10_000.0)));
+        let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), PanelWind::new(CALM));
+        let links = (Stretch::new(&UNITS, UNITS.stiffness(2e6)), Shear::new(&UNITS, UNITS.stiffness(1e5)));
         let scene = Scene::new(&UNITS, forces, links, (), Resting::new(&UNITS, STILL, Xpbd));
         let camera = Camera::new(&VIEW, SCREEN);
         Self {
@@ -150,7 +156,9 @@ impl Show {
     /// The next play, from its start.
     pub fn press(&mut self) {
         self.play = self.play.next();
-        self.cloth = if self.play == Play::Corners { folds() } else { flag() };
+        let is_calm = self.play == Play::Corners;
+        self.cloth = if is_calm { folds() } else { flag() };
+        self.scene.forces.1 = PanelWind::new(if is_calm { THICK } else { CALM });
         self.corners = corners(&self.cloth, &self.camera);
         self.memory = self.scene.memory::<Q13, SIDE, SIDE>();
         self.step = 0;

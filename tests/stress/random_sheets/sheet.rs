@@ -1,8 +1,7 @@
 //! A sheet drawn by lot, and what becomes of it.
 
 use kerchief::{
-    Bend, Cloth, Drag, Gravity, Grid, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Solver, Stretch, Units, Vec3,
-    measure,
+    Bend, Cloth, Drag, Gravity, Grid, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Stretch, Units, Vec3, measure,
 };
 
 const DOWN: [f64; 3] = [0.0, 0.0, -9.81];

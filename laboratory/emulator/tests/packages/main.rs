@@ -69,7 +69,6 @@ fn copy_folder(from: &Path, to: &Path) {
 #[test]
 fn what_packages_have_in_common_is_the_same() {
     let copies = [
-        ["examples/pico/src/breeze.rs", "boards/microbit/src/breeze.rs"],
         ["examples/pico/src/clock.rs", "boards/oled/src/clock.rs"],
         ["examples/pico/src/meter.rs", "boards/oled/src/meter.rs"],
         ["examples/pico/src/pace.rs", "boards/oled/src/pace.rs"],
