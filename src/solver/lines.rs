@@ -28,6 +28,7 @@ mod pairs;
 mod predict;
 mod pull;
 mod relax;
+mod rule;
 mod smooth;
 mod split;
 mod sweeps;
@@ -45,12 +46,13 @@ use crate::solver::{Physics, Solver};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-use pull::Pull;
+use contact::Contacts;
+use pull::Viscous;
 use relax::Relax;
-use smooth::{SLOW, smooth};
+use rule::TimeRule;
+use smooth::{SLOW, STILL, smooth};
 use split::{Outcome, Split};
 use sweeps::Kept;
-use viscosity::Axes;
 
 /// Second order in time, exact along rows, columns and stiff diagonals: the solver for sheets that hardly stretch.
 ///
@@ -238,6 +240,8 @@ impl<S: Scalar> Solver<S> for Lines {
 
 impl Lines {
     /// Moves particles by a part of a substep: a half, a quarter and so on, `split` times halved.
+    ///
+    /// Its stages: predict, damp, sweep until satisfied, contacts, dampers' second turn, smooth, remember.
     fn part<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
@@ -246,78 +250,104 @@ impl Lines {
         moment: Moment,
         split: u32,
     ) -> Outcome<S> {
-        let most_sweeps = (self.most_sweeps >> split).max(1);
-        let least_sweeps = self.sweeps.clamp(1, most_sweeps);
-        let first_order = memory.history == History::Rough;
+        let Physics { forces, links, colliders } = physics;
+        let rule = TimeRule::new(memory.history, forces.drag().rate, moment, split);
+        let budget = self.budget(split, memory.kept);
+
         // what friction looks back to
-        let start = physics.colliders.is_present().then_some(particles.position);
-        if first_order {
-            predict::first_order(physics.forces, particles, memory, moment, split);
-        } else {
-            predict::second_order(physics.forces, particles, memory, moment, split);
-        }
-        // the rule in time: x' depends on v' by part·h, and v' on a' by part·h/(1 + part·γ·h)
-        let (moment, part) = if first_order || memory.history == History::None {
-            (moment, S::ONE)
-        } else {
-            (Moment { halves: 3, ..moment }, S::from_int(2).divide(S::from_int(3)))
-        };
-        let response = part.divide(S::ONE + part * physics.forces.drag().rate.halve(split));
-        let softness = (part * response).halve(2 * split);
-        let response = response.halve(split);
-        let (tension, pull) = (memory.tension.as_mut(), memory.pull.as_mut());
-        let mut viscous = pull
-            .first_chunk_mut()
-            .and_then(|pull| Some((Pull(pull), Axes::of(physics.links, &particles.inverse_mass, response)?)));
-        let started = viscous.as_mut().map(|(pull, axes)| {
-            if memory.history != History::Velocity {
-                pull.forget();
-            }
-            pull.damp(physics.links, particles, moment, part, axes)
-        });
-        let mut relax = Relax::new(particles, tension, moment, softness);
-        relax.set_aside();
-        relax.forget();
-        let none_is_light = relax.none_is_light;
-        let patience = most_sweeps.min(PATIENCE).max(least_sweeps);
-        // neither overstretched links nor light particles gain by shorter steps
-        let most = |met: S| if met > S::ONE || !none_is_light { most_sweeps } else { patience };
-        let tolerance = S::from_f64(self.tolerance);
-        let (mut before, mut met) = (S::ZERO, relax.sweep(physics.links, true));
-        let (mut sweeps, least) = (1, least_sweeps.max(memory.kept.number()));
-        while sweeps < most(met) && (sweeps < least || met > tolerance) {
-            if let Some(start) = &start {
-                // between the sweeps, so that links answer to what a collider does to them
-                contact::resolve(physics.colliders, relax.particles, start, &mut memory.earlier, moment, true);
-            }
-            (before, met) = (met, relax.sweep(physics.links, false));
-            sweeps += 1;
-        }
-        relax.complete();
-        // light particles are swept, not split, and soft springs take up what sweeps leave
-        let shakes = split > 0 && none_is_light && relax.is_stiff;
-        let plenty = before < tolerance.halve(PLENTY);
-        // the least number needs no keeping
+        let start = colliders.is_present().then_some(particles.position);
+        predict::predict(forces, particles, memory, moment, split);
+        let Memory { earlier, tension, pull, history, .. } = memory;
+        let viscous = Viscous::damp(pull.as_mut(), *history, links, particles, &rule);
+        let mut contacts = Contacts { colliders, start: start.as_ref(), earlier, moment: rule.moment };
+        let swept = self.sweep(links, particles, tension.as_mut(), &rule, &mut contacts, &budget);
         // fixed point holds no larger speeds than those of 512 substeps
-        let keeps = sweeps > least_sweeps && is_slow(particles, CALM, moment.shift.min(9));
-        memory.kept = if keeps { memory.kept.after(sweeps, plenty) } else { Kept::NONE };
-        physics.links.confine(particles, moment);
-        if let Some(start) = &start {
-            contact::resolve(physics.colliders, particles, start, &mut memory.earlier, moment, false);
+        let calm = swept.count > budget.least && is_slow(particles, CALM, moment.shift.min(9));
+        links.confine(particles, rule.moment);
+        contacts.resolve(particles, false);
+        if let Some(viscous) = viscous {
+            viscous.complete(links, particles, &rule);
         }
-        if let (Some((pull, axes)), Some(started)) = (&mut viscous, started) {
-            // springs of backward Euler pull for a whole substep, the others for two thirds
-            let share = if part == S::ONE { S::from_f64(2.0 / 3.0) } else { S::ONE };
-            pull.complete(physics.links, particles, started, axes, share);
-        }
-        if shakes && is_slow(particles, SLOW, (moment.shift - split).min(8)) {
+        let substep = moment.shift - split;
+        let moves = |cells: f64| !is_slow(particles, cells, substep.min(8));
+        if split > 0 && swept.shakes && moves(STILL) && !moves(SLOW) {
             smooth(particles);
         }
-        memory.history = if met > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
-        // what is overstretched comes together by sweeps: shorter steps would throw it
-        let mendable = if met > S::ONE || !none_is_light { S::ZERO } else { met };
-        Outcome { residual: met, mendable, few: sweeps <= least_sweeps }
+
+        // the least number of sweeps needs no keeping
+        memory.kept = if calm { memory.kept.after(swept.count, swept.plenty) } else { Kept::NONE };
+        memory.history = if swept.residual > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
+        Outcome { residual: swept.residual, mendable: swept.mendable, few: swept.count <= budget.least }
     }
+
+    /// The sweeps that a part of a substep may have that is halved `split` times.
+    fn budget(&self, split: u32, kept: Kept) -> Budget {
+        let most = (self.most_sweeps >> split).max(1);
+        let least = self.sweeps.clamp(1, most);
+        Budget { least, wanted: least.max(kept.number()), patience: most.min(PATIENCE).max(least), most }
+    }
+
+    /// Sweeps over all links until every row is within the tolerance, or no more sweeps are left.
+    #[inline(always)]
+    fn sweep<S: Scalar, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        links: &L,
+        particles: &mut Particles<S, W, H>,
+        tension: &mut [Grid<S, W, H>],
+        rule: &TimeRule<S>,
+        contacts: &mut Contacts<'_, S, C, W, H>,
+        budget: &Budget,
+    ) -> Swept<S> {
+        let mut relax = Relax::new(particles, tension, rule.moment, rule.softness);
+        relax.set_aside();
+        relax.forget();
+        // neither overstretched links nor light particles gain by shorter steps
+        let none_is_light = relax.none_is_light;
+        let gains_by_splitting = |found: S| found <= S::ONE && none_is_light;
+        let most = |found: S| if gains_by_splitting(found) { budget.patience } else { budget.most };
+        let tolerance = S::from_f64(self.tolerance);
+        let (mut before, mut found, mut count) = (S::ZERO, relax.sweep(links, true), 1);
+        while count < most(found) && (count < budget.wanted || found > tolerance) {
+            // between the sweeps, so that links answer to what a collider does to them
+            contacts.resolve(relax.particles, true);
+            (before, found) = (found, relax.sweep(links, false));
+            count += 1;
+        }
+        relax.complete();
+        Swept {
+            count,
+            residual: found,
+            mendable: if gains_by_splitting(found) { found } else { S::ZERO },
+            plenty: before < tolerance.halve(PLENTY),
+            shakes: none_is_light && relax.is_stiff,
+        }
+    }
+}
+
+/// The sweeps that a part of a substep may have.
+struct Budget {
+    /// At least so many.
+    least: u32,
+    /// So many, whatever they find: a calm sheet's are kept.
+    wanted: u32,
+    /// So many at most where shorter steps do more.
+    patience: u32,
+    /// So many at most.
+    most: u32,
+}
+
+/// What the sweeps of a part of a substep found.
+struct Swept<S> {
+    /// How many there were.
+    count: u32,
+    /// The largest strain of a row that the last one found.
+    residual: S,
+    /// The same as far as shorter steps leave less: what is overstretched comes together by sweeps, and shorter steps would throw it.
+    mendable: S,
+    /// Whether fewer sweeps would have done.
+    plenty: bool,
+    /// Whether what is left may shake: light particles are swept, not split, and soft springs take up what sweeps leave.
+    shakes: bool,
 }
 
 /// Whether no particle moves by so many cells in the 2^shift-th part of a tick. In motion one of the first does.

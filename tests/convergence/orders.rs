@@ -18,8 +18,8 @@ const METHODS: [(Method, Range<f64>, u32); 9] = [
     (Method::Verlet(4), FIRST, 64),
     (Method::Xpbd, FIRST, 128),
     (Method::Lines(1), SECOND, 128),
-    (Method::Lines(2), SECOND, 64),
-    (Method::Lines(4), SECOND, 64),
+    (Method::Lines(2), SECOND, 128),
+    (Method::Lines(4), SECOND, 128),
 ];
 
 /// Two halvings of the step show every solver's order over so many tenths of a second.

@@ -14,10 +14,30 @@ use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
+/// Colliders, and what a contact with them needs to know and to change.
+pub(super) struct Contacts<'a, S, C, const W: usize, const H: usize> {
+    pub(super) colliders: &'a C,
+    /// Where the substep started; nothing where nothing is in the way.
+    pub(super) start: Option<&'a Vectors<S, W, H>>,
+    /// The velocities before it.
+    pub(super) earlier: &'a mut Vectors<S, W, H>,
+    pub(super) moment: Moment,
+}
+
+impl<S: Scalar, C: Collider<S>, const W: usize, const H: usize> Contacts<'_, S, C, W, H> {
+    /// Moves every free particle out of the colliders. In fixed point velocities may be set `aside`, as between the sweeps.
+    #[inline(always)]
+    pub(super) fn resolve(&mut self, particles: &mut Particles<S, W, H>, aside: bool) {
+        if let Some(start) = self.start {
+            resolve(self.colliders, particles, start, self.earlier, self.moment, aside);
+        }
+    }
+}
+
 /// Moves every free particle out of `colliders`. The substep started at the positions `start` and velocities `earlier`; in fixed point velocities may be set
 /// `aside`, as between the sweeps.
 #[inline]
-pub(super) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
+fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
     colliders: &C,
     particles: &mut Particles<S, W, H>,
     start: &Vectors<S, W, H>,

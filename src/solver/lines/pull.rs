@@ -11,19 +11,55 @@ use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
+use super::History;
+use super::rule::TimeRule;
 use super::viscosity::{Axes, PASSES, diffuse};
 
 /// The grids of numbers in which a [`Pull`] is remembered.
-pub(super) const GRIDS: usize = 3;
+const GRIDS: usize = 3;
 
 /// What springs and contacts did to velocities in the last substep: x, y and z.
-pub(super) struct Pull<'a, S, const W: usize, const H: usize>(pub(super) &'a mut [Grid<S, W, H>; GRIDS]);
+struct Pull<'a, S, const W: usize, const H: usize>(&'a mut [Grid<S, W, H>; GRIDS]);
+
+/// Dampers between their two turns in a part of a substep.
+pub(super) struct Viscous<'a, S, const W: usize, const H: usize> {
+    pull: Pull<'a, S, W, H>,
+    axes: Axes<S>,
+    /// The velocities that springs started from.
+    started: Vectors<S, W, H>,
+}
+
+impl<'a, S: Scalar, const W: usize, const H: usize> Viscous<'a, S, W, H> {
+    /// Lets dampers act, if there are any, with what springs did in the last substep, if that is known.
+    #[inline(always)]
+    pub(super) fn damp<L: Links<S>>(
+        grids: &'a mut [Grid<S, W, H>],
+        history: History,
+        links: &L,
+        particles: &mut Particles<S, W, H>,
+        rule: &TimeRule<S>,
+    ) -> Option<Self> {
+        let mut pull = Pull(grids.first_chunk_mut()?);
+        let axes = Axes::of(links, &particles.inverse_mass, rule.response)?;
+        if history != History::Velocity {
+            pull.forget();
+        }
+        let started = pull.damp(links, particles, rule.moment, rule.part, &axes);
+        Some(Self { pull, axes, started })
+    }
+
+    /// Lets dampers act on what springs and contacts have done since.
+    #[inline(always)]
+    pub(super) fn complete<L: Links<S>>(mut self, links: &L, particles: &mut Particles<S, W, H>, rule: &TimeRule<S>) {
+        self.pull.complete(links, particles, self.started, &self.axes, rule.share());
+    }
+}
 
 impl<S: Scalar, const W: usize, const H: usize> Pull<'_, S, W, H> {
     /// Lets dampers act. Returns the velocities that springs start from.
     ///
     /// A position depends on its velocity as `part`·h.
-    pub(super) fn damp<L: Links<S>>(
+    fn damp<L: Links<S>>(
         &self,
         links: &L,
         particles: &mut Particles<S, W, H>,
@@ -47,7 +83,7 @@ impl<S: Scalar, const W: usize, const H: usize> Pull<'_, S, W, H> {
 
     /// Lets dampers act on what springs did to the velocities that they `started` from, as far as it is not what they did in the last substep. `share` of it
     /// is what the next substep expects.
-    pub(super) fn complete<L: Links<S>>(
+    fn complete<L: Links<S>>(
         &mut self,
         links: &L,
         particles: &mut Particles<S, W, H>,
@@ -69,7 +105,7 @@ impl<S: Scalar, const W: usize, const H: usize> Pull<'_, S, W, H> {
     }
 
     /// Expects nothing.
-    pub(super) fn forget(&mut self) {
+    fn forget(&mut self) {
         *self.0 = [Grid::filled(S::ZERO); GRIDS];
     }
 

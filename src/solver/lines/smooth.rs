@@ -12,6 +12,9 @@ use crate::vec3::Vec3;
 /// How far particles of a sheet that is smoothed move at most in a substep, cells.
 pub(super) const SLOW: f64 = 0.3;
 
+/// How far particles of a sheet move at most in a substep that is as good as at rest, cells: it needs no smoothing, which would be one more rounding.
+pub(super) const STILL: f64 = 1e-3;
+
 /// Takes the sharpest bends out of velocities.
 #[inline(never)] // one for all scenes
 pub(super) fn smooth<S: Scalar, const W: usize, const H: usize>(particles: &mut Particles<S, W, H>) {
