@@ -75,8 +75,11 @@ mod tests {
     use super::*;
 
     /// Every root of `f32` that this machine can take, beside the standard library's.
-    const ROOTS: &[(&str, fn(f32) -> f32)] = &[("newton", newton), ("libm", libm::sqrtf), ("chosen", super::f32)];
-    const WIDE_ROOTS: &[(&str, fn(f64) -> f64)] = &[("libm", libm::sqrt), ("chosen", super::f64)];
+    /// A root with its name.
+    type Root<T> = (&'static str, fn(T) -> T);
+
+    const ROOTS: &[Root<f32>] = &[("newton", newton), ("libm", libm::sqrtf), ("chosen", super::f32)];
+    const WIDE_ROOTS: &[Root<f64>] = &[("libm", libm::sqrt), ("chosen", super::f64)];
 
     fn check(x: f32) {
         let expected = x.sqrt();

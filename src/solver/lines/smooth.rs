@@ -20,44 +20,42 @@ pub(super) const STILL: f64 = 1e-3;
 pub(super) fn smooth<S: Scalar, const W: usize, const H: usize>(particles: &mut Particles<S, W, H>) {
     let (velocity, inverse_mass) = (&mut particles.velocity.0, &particles.inverse_mass.0);
     for (row, w) in velocity.iter_mut().zip(inverse_mass) {
-        let mut bends = Vec3::<[S; W]>::row(Vec3::ZERO);
-        for column in 1..W.saturating_sub(1) {
-            bends.set(column, bend([column - 1, column, column + 1].map(|column| row.at(column))));
-        }
-        for column in 0..W {
-            let beside = |column: usize| if column < W { bends.at(column) } else { Vec3::ZERO };
-            let by = straighten([column.wrapping_sub(1), column, column + 1].map(beside));
-            row.add(column, by * w[column].min(S::ONE));
-        }
+        straighten(&mut row.x, w);
+        straighten(&mut row.y, w);
+        straighten(&mut row.z, w);
     }
-    // of the rows above and here; that below is of velocities that are not changed yet
-    let mut bends = [Vec3::<[S; W]>::row(Vec3::ZERO); 3];
-    for row in 0..H {
+    for axis in 0..3 {
         for column in 0..W {
-            let below = if row + 2 < H {
-                bend([row, row + 1, row + 2].map(|row| velocity[row].at(column)))
-            } else {
-                Vec3::ZERO
-            };
-            bends[2].set(column, below);
+            let (mut line, mut w) = ([S::ZERO; H], [S::ZERO; H]);
+            for (row, velocity) in velocity.iter_mut().enumerate() {
+                (line[row], w[row]) = (component(velocity, axis)[column], inverse_mass[row][column]);
+            }
+            straighten(&mut line, &w);
+            for (velocity, line) in velocity.iter_mut().zip(line) {
+                component(velocity, axis)[column] = line;
+            }
         }
-        let [above, here, below] = &bends;
-        for column in 0..W {
-            let by = straighten([above.at(column), here.at(column), below.at(column)]);
-            velocity[row].add(column, by * inverse_mass[row][column].min(S::ONE));
-        }
-        bends = [bends[1], bends[2], bends[2]];
     }
 }
 
-/// A sixteenth of the second difference of three velocities in a line. The outer ones are added first, so that a mirrored line has the same.
-fn bend<S: Scalar>([before, here, after]: [Vec3<S>; 3]) -> Vec3<S> {
-    (before + after - (here + here)).map(|x| x.halve_evenly(4))
+fn component<S, const W: usize>(row: &mut Vec3<[S; W]>, axis: usize) -> &mut [S; W] {
+    match axis {
+        0 => &mut row.x,
+        1 => &mut row.y,
+        _ => &mut row.z,
+    }
 }
 
-/// What three neighbouring bends do to the particle in the middle.
-fn straighten<S: Scalar>([before, here, after]: [Vec3<S>; 3]) -> Vec3<S> {
-    here + here - (before + after)
+/// The same for the velocities of a row or a column along an axis. Outer ones are added first, so that a mirrored line becomes the mirror image.
+#[inline(never)] // of any length: one for all
+fn straighten<S: Scalar>(v: &mut [S], inverse_mass: &[S]) {
+    let [mut before, mut here] = [S::ZERO; 2];
+    for (k, w) in inverse_mass.iter().enumerate().take(v.len()) {
+        // a sixteenth of the second difference around the next particle, whose neighbours are not changed yet
+        let after = if k + 2 < v.len() { (v[k] + v[k + 2] - (v[k + 1] + v[k + 1])).halve_evenly(4) } else { S::ZERO };
+        v[k] += (here + here - (before + after)) * w.min(S::ONE);
+        [before, here] = [here, after];
+    }
 }
 
 #[cfg(test)]
