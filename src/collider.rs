@@ -96,7 +96,11 @@ impl<S: Scalar> Contact<S> {
         if friction == S::ZERO {
             return self;
         }
-        Self { by: self.by - held_back(moved, self.normal, S::narrow(friction.product(self.depth))), friction, ..self }
+        Self {
+            by: self.by - friction_limited(moved, self.normal, S::narrow(friction.product(self.depth))),
+            friction,
+            ..self
+        }
     }
 }
 
@@ -123,7 +127,7 @@ fn coefficient<S: Scalar>(friction: f64) -> S {
 
 /// What friction takes of a vector: all of it that is along the surface, but no more than the `grip`.
 #[inline]
-pub(crate) fn held_back<S: Scalar>(vector: Vec3<S>, normal: Vec3<S>, grip: S) -> Vec3<S> {
+pub(crate) fn friction_limited<S: Scalar>(vector: Vec3<S>, normal: Vec3<S>, grip: S) -> Vec3<S> {
     let along = vector - normal * vector.dot(normal);
     let length = along.length();
     if length <= grip { along } else { along * grip.divide(length) }

@@ -30,9 +30,9 @@
 //!
 //! # In which order to read
 //!
-//! Each room uses only those above it.
+//! Each module uses only those above it.
 //!
-//! | room | what it holds |
+//! | module | contents |
 //! |---|---|
 //! | [`scalar`] | numbers: `f32`, `f64`, fixed point |
 //! | [`vec3`], [`grid`], [`vectors`] | vectors, and numbers and vectors on a grid |

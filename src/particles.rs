@@ -61,7 +61,7 @@ mod tests {
     const W: usize = 5;
     const H: usize = 3;
 
-    /// Particles of numbers that are all another.
+    /// Particles whose components are pairwise different.
     fn scattered<S: Scalar>() -> Particles<S, W, H> {
         let mut particles = Particles::BLANK;
         for (k, node) in Grid::<S, W, H>::nodes().enumerate() {

@@ -1,7 +1,7 @@
 //! When nothing moves, nothing is computed.
 //!
-//! [`Resting`] is a solver around another one. It lets the other one move the sheet until the sheet is still, and from then on only looks whether
-//! anything is another than it was: position, velocity or mass of a particle, a force, a link, a collider. If so, the other solver goes on from where it
+//! [`Resting`] is a solver around another one. It lets the other one move the sheet until the sheet is still. From then on it only looks whether
+//! any input changed since: position, velocity or mass of a particle, a force, a link, a collider. If so, the other solver goes on from where it
 //! was, with that same frame. A sheet at rest keeps its bits; what a scene does not wrap costs nothing.
 //!
 //! ```

@@ -1,6 +1,6 @@
 //! Numbers: `f32`, `f64` and fixed point behind one trait.
 //!
-//! This is the only room that knows a number's bits. Everything above it computes with [`Scalar`], in the sheet's own units
+//! This is the only module that knows a number's bits. Everything above it computes with [`Scalar`], in the sheet's own units
 //! (see [`Units`](crate::Units)), so that lengths are near one and fixed point loses nothing.
 //!
 //! Only `+ − × ÷` and the square root are used, each rounded once and always in the same order, so every number type gives the same

@@ -1,4 +1,4 @@
-//! Ways to move a sheet, one in each room. Every one approximates the same differential equation
+//! Ways to move a sheet, a module each. Every one approximates the same differential equation
 //!
 //! `m·a = m·g − m·γ·v + wind + Σ −k·(|d| − L)·d/|d| − k_d·(v_i − v_j)`
 //!
@@ -18,9 +18,9 @@ mod force_sum;
 mod forward_euler;
 mod leapfrog;
 mod lines;
-mod ordinary;
 mod predict;
 mod sweep;
+mod unit_mass;
 mod verlet;
 mod xpbd;
 

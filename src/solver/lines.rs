@@ -21,12 +21,12 @@
 mod chain;
 mod contact;
 mod diagonal;
-mod ease;
+mod geometric_stiffness;
 mod heavy;
-mod held_back;
 mod pairs;
 mod predict;
 mod pull;
+mod regularise;
 mod relax;
 mod rule;
 mod smooth;
@@ -111,7 +111,7 @@ const PATIENCE: u32 = 4;
 /// A calm sheet takes a sweep fewer where the last but one has found rows within the tolerance over 2 to this power.
 const PLENTY: u32 = 5;
 
-/// The strain in a row, met by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
+/// The strain in a row, found by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
 
 /// How far particles move at most in a substep of a sheet that is calm, cells.

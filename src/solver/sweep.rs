@@ -8,7 +8,7 @@ use crate::link::{Count, Family, Links, Quotient, Visitor, each_row, in_row};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::{Rest, Rounding, Scalar};
-use crate::solver::ordinary;
+use crate::solver::unit_mass;
 use crate::vec3::Vec3;
 
 /// Lets a particle go with its velocity for a substep, to where [`sweeps`] start from.
@@ -41,10 +41,10 @@ pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     if L::Directions::NUMBER == 0 {
         return;
     }
-    let ordinary = ordinary::rows(particles);
+    let unit_mass = unit_mass::rows(particles);
     let part = part_of(parts);
     for _ in 0..parts {
-        links.springs(&mut Project { particles, moment, rounding: moment.rounding(), part, ordinary });
+        links.springs(&mut Project { particles, moment, rounding: moment.rounding(), part, unit_mass });
     }
     if !S::FLOATS {
         for (position, velocity) in particles.position.0.iter().zip(&mut particles.velocity.0) {
@@ -74,7 +74,7 @@ struct Project<'a, S, const W: usize, const H: usize> {
     /// The part of its stiffness with which a spring is projected.
     part: S,
     /// Rows of nothing but particles of mass 1: their masses need not be looked at.
-    ordinary: [bool; H],
+    unit_mass: [bool; H],
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
@@ -121,11 +121,11 @@ impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W,
     #[inline(never)] // one for all scenes of a grid
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let strength = if self.part == S::ONE { family.strength } else { family.strength.scaled(self.part) };
-        // nearly all links join two ordinary particles: their quotient is formed once, and their masses need no product
+        // nearly all links join two unit-mass particles: their quotient is formed once, and their masses need no product
         let part = strength.against(S::ONE + S::ONE);
         each_row::<DOWN, H>(|row| {
             let node = |column, down| Node { column, row: row + down };
-            if self.ordinary[row] && self.ordinary[row + DOWN] {
+            if self.unit_mass[row] && self.unit_mass[row + DOWN] {
                 in_row::<ACROSS, DOWN, W>(|a, b| self.join(node(a, 0), node(b, DOWN), &family.rest, part));
             } else {
                 in_row::<ACROSS, DOWN, W>(|a, b| {

@@ -18,14 +18,14 @@ use crate::link::Quotient;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::{Rest, Rounding, Scalar};
-use crate::solver::ordinary::Ordinary;
+use crate::solver::unit_mass::UnitMass;
 use crate::vec3::Vec3;
 use crate::vectors::{SIDE_BY_SIDE, ahead, behind, columns};
 
 use super::diagonal::each_diagonal;
-use super::ease::{TAUT, ease};
+use super::geometric_stiffness::{TAUT, geometric_stiffness};
 use super::heavy::Heavy;
-use super::held_back::{harmless, held_back};
+use super::regularise::{harmless, regularisation};
 use super::{displace, displace_row};
 
 /// Columns that are solved side by side, where a machine computes several numbers at once: two of its vectors of `f32`.
@@ -37,7 +37,7 @@ pub(super) struct Chain<'a, S: Scalar, const W: usize, const H: usize> {
     pub(super) strength: Quotient<S>,
     pub(super) moment: Moment,
     pub(super) rounding: Rounding,
-    pub(super) ordinary: &'a Ordinary<W, H>,
+    pub(super) unit_mass: &'a UnitMass<W, H>,
     pub(super) heavy: Heavy,
     /// The least inverse mass over the largest that is more than 1.
     pub(super) span: S,
@@ -55,10 +55,10 @@ impl<S: Scalar> Eliminated<S> {
 
     /// The next link, and the factor of its change in this one's.
     #[inline(always)]
-    pub(super) fn next<const ORDINARY: bool>(self, diagonal: S, coupling: S, residual: S) -> (Self, S) {
-        let factor = times::<ORDINARY, S>(coupling, self.pivot);
-        let pivot = (diagonal - times::<ORDINARY, S>(factor, coupling)).recip();
-        let right = times::<ORDINARY, S>(residual + times::<ORDINARY, S>(self.right, coupling), pivot);
+    pub(super) fn next<const UNIT_MASS: bool>(self, diagonal: S, coupling: S, residual: S) -> (Self, S) {
+        let factor = times::<UNIT_MASS, S>(coupling, self.pivot);
+        let pivot = (diagonal - times::<UNIT_MASS, S>(factor, coupling)).recip();
+        let right = times::<UNIT_MASS, S>(residual + times::<UNIT_MASS, S>(self.right, coupling), pivot);
         (Self { pivot, right }, factor)
     }
 }
@@ -77,8 +77,8 @@ pub(super) const fn skips_masses<S: Scalar>() -> bool {
 
 /// A product with a pivot, a coupling or a factor. Where all masses are 1 none of them is larger than 1: pivots are at least `a + b`, of which the larger is 1.
 #[inline(always)]
-fn times<const ORDINARY: bool, S: Scalar>(x: S, ratio: S) -> S {
-    if ORDINARY { x.scaled(ratio) } else { x * ratio }
+fn times<const UNIT_MASS: bool, S: Scalar>(x: S, ratio: S) -> S {
+    if UNIT_MASS { x.scaled(ratio) } else { x * ratio }
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
@@ -88,11 +88,11 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut worst = S::ZERO;
         if W > 1 {
             for row in 0..H {
-                if self.ordinary.held[row] {
+                if self.unit_mass.held[row] {
                     continue; // nor is what pins are strained by a reason to sweep on
                 }
                 let tension = &mut tension.0[row];
-                worst = worst.max(if const { skips_masses::<S>() } && self.ordinary.rows[row] {
+                worst = worst.max(if const { skips_masses::<S>() } && self.unit_mass.rows[row] {
                     self.row::<true>(particles, row, tension)
                 } else {
                     self.row::<false>(particles, row, tension)
@@ -103,10 +103,10 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     }
 
     #[inline(always)]
-    fn row<const ORDINARY: bool>(&self, particles: &mut Particles<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
+    fn row<const UNIT_MASS: bool>(&self, particles: &mut Particles<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
         let dividend = self.strength.dividend;
         let own = yielding(dividend);
-        let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
+        let heavy = if UNIT_MASS { Heavy::NONE } else { self.heavy };
         let (links, middle) = (W - 1, (W - 1) / 2);
         let x = &particles.position.0[row];
         let w = particles.inverse_mass.0[row].map(|w| heavy.scaled(w));
@@ -125,7 +125,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         for k in 0..W {
             worst = worst.max(residual[k].abs());
         }
-        let divisor = self.divisor::<ORDINARY, W>(worst, || held_back(&residual, &w, W));
+        let divisor = self.divisor::<UNIT_MASS, W>(worst, || regularisation(&residual, &w, W));
         // of each link with the one after it
         let normal_next = ahead::<1, S, W>(&normal);
         for k in columns::<2, 0, W>() {
@@ -134,7 +134,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         for k in 0..W {
             diagonal[k] = own + own + divisor;
         }
-        if !ORDINARY {
+        if !UNIT_MASS {
             for k in 0..W {
                 let (here, next) = (w[k], if k + 1 < W { w[k + 1] } else { S::ZERO });
                 coupling[k] = coupling[k] * next;
@@ -146,7 +146,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         for k in 0..middle {
             let before = if k > 0 { coupling[k - 1] } else { S::ZERO };
             let ahead;
-            (left, ahead) = left.next::<ORDINARY>(diagonal[k], before, residual[k]);
+            (left, ahead) = left.next::<UNIT_MASS>(diagonal[k], before, residual[k]);
             change[k] = left.right;
             if k > 0 {
                 factor[k - 1] = ahead;
@@ -155,7 +155,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         for k in (middle + 1..links).rev() {
             let after = if k + 1 < links { coupling[k] } else { S::ZERO };
             let ahead;
-            (right, ahead) = right.next::<ORDINARY>(diagonal[k], after, residual[k]);
+            (right, ahead) = right.next::<UNIT_MASS>(diagonal[k], after, residual[k]);
             change[k] = right.right;
             if k + 1 < links {
                 factor[k + 1] = ahead;
@@ -174,10 +174,10 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             factor[middle + 1] = to_right;
         }
         for k in (0..middle).rev() {
-            change[k] += times::<ORDINARY, S>(change[k + 1], factor[k]);
+            change[k] += times::<UNIT_MASS, S>(change[k + 1], factor[k]);
         }
         for k in middle + 1..links {
-            change[k] += times::<ORDINARY, S>(change[k - 1], factor[k]);
+            change[k] += times::<UNIT_MASS, S>(change[k - 1], factor[k]);
         }
         change[links] = S::ZERO;
         let mut pull = Vec3::row(Vec3::ZERO);
@@ -191,7 +191,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             row,
             |k| {
                 let by = pull.at(k) - before(k);
-                if ORDINARY { by } else { by * w[k] }
+                if UNIT_MASS { by } else { by * w[k] }
             },
             self.moment,
         );
@@ -201,7 +201,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
         if self.is_taut(most, heavy) {
             let tension = change.map(|change| self.strength.times_dividend(change));
-            let by = ease(&normal, &tension, &w, W, self.rest.inverse, heavy);
+            let by = geometric_stiffness(&normal, &tension, &w, W, self.rest.inverse, heavy);
             displace_row(particles, row, |k| by.at(k), self.moment);
         }
         worst
@@ -209,10 +209,10 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     /// The divisor in the coefficients of a chain of `M` particles whose largest residual is `worst`, in the unit of multipliers: larger where they are held back.
     #[inline(always)]
-    fn divisor<const ORDINARY: bool, const M: usize>(&self, worst: S, held_back: impl FnOnce() -> S) -> S {
-        let (heavy, span) = if ORDINARY { (Heavy::NONE, S::ONE) } else { (self.heavy, self.span) };
+    fn divisor<const UNIT_MASS: bool, const M: usize>(&self, worst: S, regularisation: impl FnOnce() -> S) -> S {
+        let (heavy, span) = if UNIT_MASS { (Heavy::NONE, S::ONE) } else { (self.heavy, self.span) };
         let divisor = heavy.scaled(self.strength.divisor);
-        if S::FLOATS || worst <= harmless::<S, M>(span) { divisor } else { divisor.max(held_back()) }
+        if S::FLOATS || worst <= harmless::<S, M>(span) { divisor } else { divisor.max(regularisation()) }
     }
 
     /// Whether a chain whose largest multiplier this is has a tension that shakes it.
@@ -246,7 +246,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     fn some<const N: usize>(&self, particles: &mut Particles<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) -> S {
         let place = Place { top: 0, first, count: H, slant: 0 };
         if const { skips_masses::<S>() } {
-            self.one(particles, place, tension, self.ordinary.columns[first.min(W - 1)])
+            self.one(particles, place, tension, self.unit_mass.columns[first.min(W - 1)])
         } else {
             self.side_by_side::<N, false, false>(particles, place, tension)
         }
@@ -262,15 +262,15 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut unsolved = S::ZERO;
         each_diagonal::<W, H>(colour, |place| {
             let inverse_mass = |k: usize| particles.inverse_mass.0[place.row::<H>(k)][place.column::<1, W>(k)];
-            let ordinary = (0..place.count).all(|k| inverse_mass(k) == S::ONE);
-            unsolved = unsolved.max(self.one(particles, place, tension, ordinary));
+            let unit_mass = (0..place.count).all(|k| inverse_mass(k) == S::ONE);
+            unsolved = unsolved.max(self.one(particles, place, tension, unit_mass));
         });
         unsolved
     }
 
     /// Solves one chain, whose particles may all have mass 1.
-    fn one(&self, particles: &mut Particles<S, W, H>, place: Place, tension: &mut Grid<S, W, H>, ordinary: bool) -> S {
-        if ordinary {
+    fn one(&self, particles: &mut Particles<S, W, H>, place: Place, tension: &mut Grid<S, W, H>, unit_mass: bool) -> S {
+        if unit_mass {
             self.side_by_side::<1, true, true>(particles, place, tension)
         } else {
             self.side_by_side::<1, false, true>(particles, place, tension)
@@ -279,7 +279,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     /// Solves `N` chains. Returns their largest residual where they were held back.
     #[inline(never)] // so that sheet and multipliers are known to be apart
-    fn side_by_side<const N: usize, const ORDINARY: bool, const ANYWHERE: bool>(
+    fn side_by_side<const N: usize, const UNIT_MASS: bool, const ANYWHERE: bool>(
         &self,
         particles: &mut Particles<S, W, H>,
         place: Place,
@@ -293,7 +293,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
         let dividend = self.strength.dividend;
         let own = yielding(dividend);
-        let heavy = if ORDINARY { Heavy::NONE } else { self.heavy };
+        let heavy = if UNIT_MASS { Heavy::NONE } else { self.heavy };
         // pushed one by one, so that none has to be written twice
         let mut links = Vec::<Link<S, N>, H>::new();
         let mut worst = S::ZERO;
@@ -314,10 +314,10 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             _ = links.push(link); // there is room for all
         }
         let divisor = (0..N).fold(S::ZERO, |divisor, lane| {
-            let added = || Self::held_back(&links, particles, place, lane, heavy);
-            divisor.max(self.divisor::<ORDINARY, H>(worst, added))
+            let added = || Self::regularisation(&links, particles, place, lane, heavy);
+            divisor.max(self.divisor::<UNIT_MASS, H>(worst, added))
         });
-        let is_held_back = divisor > heavy.scaled(self.strength.divisor);
+        let is_regularised = divisor > heavy.scaled(self.strength.divisor);
         let mut above = [Eliminated::NONE; N];
         let mut before = Vec3::<[S; N]>::row(Vec3::ZERO);
         for (k, link) in links.iter_mut().enumerate() {
@@ -325,7 +325,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 [&particles.inverse_mass.0[place.row::<H>(k)], &particles.inverse_mass.0[place.row::<H>(k + 1)]];
             for lane in 0..N {
                 let coupling = self.strength.of_dividend(before.at(lane).cosine(link.normal.at(lane)));
-                let (coupling, inverse_mass) = if ORDINARY {
+                let (coupling, inverse_mass) = if UNIT_MASS {
                     (coupling, S::ONE + S::ONE)
                 } else {
                     let here = heavy.scaled(u[place.column::<N, W>(k) + lane]);
@@ -333,7 +333,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                     (coupling * here, here + next)
                 };
                 let diagonal = inverse_mass * own + divisor;
-                (above[lane], link.factor[lane]) = above[lane].next::<ORDINARY>(diagonal, coupling, link.change[lane]);
+                (above[lane], link.factor[lane]) = above[lane].next::<UNIT_MASS>(diagonal, coupling, link.change[lane]);
                 link.change[lane] = above[lane].right;
             }
             before = link.normal;
@@ -347,14 +347,14 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             for lane in 0..N {
                 let column = place.column::<N, W>(k) + lane;
                 let by = by.at(lane);
-                displace(x, v, column, if ORDINARY { by } else { by * heavy.scaled(w[column]) }, self.moment);
+                displace(x, v, column, if UNIT_MASS { by } else { by * heavy.scaled(w[column]) }, self.moment);
             }
         };
         for (k, link) in links.iter_mut().enumerate().rev() {
             let tension = &mut tension.0[place.row::<H>(k)];
             let (mut pull, mut by) = (below, below);
             for lane in 0..N {
-                change[lane] = link.change[lane] + times::<ORDINARY, S>(change[lane], factor[lane]);
+                change[lane] = link.change[lane] + times::<UNIT_MASS, S>(change[lane], factor[lane]);
                 link.change[lane] = change[lane];
                 most[lane] = most[lane].max(change[lane]);
                 pull.set(
@@ -376,13 +376,13 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 self.ease_one(&links, particles, place, lane, heavy);
             }
         }
-        if is_held_back { worst } else { S::ZERO }
+        if is_regularised { worst } else { S::ZERO }
     }
 
     /// What is added to the diagonal of one of some chains, whose residuals are known.
     #[cold]
     #[inline(never)]
-    fn held_back<const N: usize>(
+    fn regularisation<const N: usize>(
         links: &[Link<S, N>],
         particles: &Particles<S, W, H>,
         place: Place,
@@ -392,7 +392,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let lane = lane.min(N - 1);
         let mut residual = [S::ZERO; H];
         residual.iter_mut().zip(links).for_each(|(residual, link)| *residual = link.change[lane]);
-        held_back(&residual, &Self::inverse_masses(particles, place, lane, heavy), place.count)
+        regularisation(&residual, &Self::inverse_masses(particles, place, lane, heavy), place.count)
     }
 
     /// Eases one of some chains.
@@ -412,7 +412,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             normal.set(k, link.normal.at(lane));
             change[k] = link.change[lane];
         }
-        self.ease(particles, place, lane, (&normal, &change), heavy);
+        self.add_geometric_stiffness(particles, place, lane, (&normal, &change), heavy);
     }
 
     fn inverse_masses(particles: &Particles<S, W, H>, place: Place, lane: usize, heavy: Heavy) -> [S; H] {
@@ -427,7 +427,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     /// Eases one of some chains, whose links have these directions and changes of multipliers.
     #[inline(never)] // few chains are that taut
-    pub(super) fn ease(
+    pub(super) fn add_geometric_stiffness(
         &self,
         particles: &mut Particles<S, W, H>,
         place: Place,
@@ -437,7 +437,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     ) {
         let tension = changes.map(|change| self.strength.times_dividend(change));
         let w = Self::inverse_masses(particles, place, lane, heavy);
-        let by = ease(normal, &tension, &w, place.count, self.rest.inverse, heavy);
+        let by = geometric_stiffness(normal, &tension, &w, place.count, self.rest.inverse, heavy);
         for k in 0..place.count.min(H) {
             let (row, column) = (place.row::<H>(k), (place.column::<1, W>(k) + lane).min(W - 1));
             displace(&mut particles.position.0[row], &mut particles.velocity.0[row], column, by.at(k), self.moment);

@@ -7,7 +7,7 @@
 //! A particle is moved out by its depth d and stopped, as far as an acceleration that moved it by d within a substep can have made it fast: by 2·d/h. What
 //! comes in faster needs a substep or two, and none is thrown back. Friction is Coulomb's, of displacements and of velocities.
 
-use crate::collider::{Collider, Contact, held_back, touch};
+use crate::collider::{Collider, Contact, friction_limited, touch};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -79,5 +79,5 @@ fn impulse<S: Scalar>(contact: &Contact<S>, velocity: Vec3<S>, moment: Moment) -
     if friction == S::ZERO {
         return normal * stop;
     }
-    normal * stop - held_back(against, normal, S::narrow(friction.product(stop)))
+    normal * stop - friction_limited(against, normal, S::narrow(friction.product(stop)))
 }

@@ -167,7 +167,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 most = most.max(change[k]);
             }
             if self.is_taut(most, Heavy::NONE) {
-                self.ease(particles, place, 0, (&normal, &change), Heavy::NONE);
+                self.add_geometric_stiffness(particles, place, 0, (&normal, &change), Heavy::NONE);
             }
         });
     }
@@ -245,7 +245,7 @@ mod tests {
     use crate::link::Quotient;
     use crate::moment::Moment;
     use crate::scalar::{Q13, Q24, Rest};
-    use crate::solver::ordinary::Ordinary;
+    use crate::solver::unit_mass::UnitMass;
 
     const MOMENT: Moment = Moment { substep: 1, substeps: 1, shift: 0, halves: 3 };
 
@@ -271,12 +271,12 @@ mod tests {
         particles: &mut Particles<S, W, H>,
         act: impl FnOnce(&Chain<'_, S, W, H>, &mut Particles<S, W, H>) -> T,
     ) -> T {
-        let ordinary = Ordinary::new(particles);
-        let (heavy, span, _) = Heavy::new(particles, &ordinary.rows);
+        let unit_mass = UnitMass::new(particles);
+        let (heavy, span, _) = Heavy::new(particles, &unit_mass.rows);
         let rest = Rest::spanning(S::ONE, S::ONE);
         let strength = Quotient { dividend: S::ONE, divisor: S::from_f64(1e-3) };
         let (moment, rounding) = (MOMENT, MOMENT.rounding());
-        act(&Chain { rest: &rest, strength, moment, rounding, ordinary: &ordinary, heavy, span }, particles)
+        act(&Chain { rest: &rest, strength, moment, rounding, unit_mass: &unit_mass, heavy, span }, particles)
     }
 
     fn both_ways<const W: usize, const H: usize>() {

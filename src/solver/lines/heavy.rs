@@ -1,8 +1,7 @@
-//! Multipliers beside heavy particles.
+//! The power of two by which multipliers are scaled, so that the multiplier of the heaviest free particle fits.
 //!
-//! A multiplier is the displacement of a particle of mass 1 (over the dividend of the link's strength), and what holds a heavy particle is more of that than fixed
-//! point holds. Where not all masses are 1, multipliers are therefore counted in units of 2^shift, and inverse masses and the divisor of the strength
-//! are 2^shift times as large: the same equations. Floats need no shift.
+//! A multiplier is the displacement of a particle of mass 1, over the dividend of the link's strength. In units of 2^shift it is smaller; inverse masses and the divisor of the
+//! strength are 2^shift times as large, so the equations stay the same. Masses up to 8 need no scaling, and get none: it costs precision. Floats need none either.
 
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -17,16 +16,16 @@ pub(super) struct Heavy {
 }
 
 impl Heavy {
-    /// For the heaviest particle of a sheet whose rows of nothing but particles of mass 1 are `ordinary`: none up to 8 masses, since it costs digits. Beside it the least
+    /// For the heaviest particle of a sheet whose rows of nothing but particles of mass 1 are `unit_mass`: none up to 8 masses, since it costs digits. Beside it the least
     /// inverse mass over the largest that is more than 1, in that unit, and whether no particle is lighter than an eighth of a mass.
     #[inline]
     pub(super) fn new<S: Scalar, const W: usize, const H: usize>(
         particles: &Particles<S, W, H>,
-        ordinary: &[bool; H],
+        unit_mass: &[bool; H],
     ) -> (Self, S, bool) {
         let mut heavy = Self { shift: 0 };
         let [mut least, mut most] = [S::ONE; 2];
-        for (row, _) in particles.inverse_mass.0.iter().zip(ordinary).filter(|(_, ordinary)| !**ordinary) {
+        for (row, _) in particles.inverse_mass.0.iter().zip(unit_mass).filter(|(_, unit_mass)| !**unit_mass) {
             for w in row {
                 if *w > S::ZERO {
                     (least, most) = (least.min(*w), most.max(*w));

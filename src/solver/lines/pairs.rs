@@ -25,7 +25,7 @@ pub(super) struct Pairs<'a, S: Scalar, const H: usize> {
     softness: S,
     moment: Moment,
     rounding: Rounding,
-    ordinary: &'a [bool; H],
+    unit_mass: &'a [bool; H],
     heavy: Heavy,
 }
 
@@ -35,11 +35,11 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         strength: Quotient<S>,
         moment: Moment,
         rounding: Rounding,
-        ordinary: &'a [bool; H],
+        unit_mass: &'a [bool; H],
         heavy: Heavy,
     ) -> Self {
         let softness = (strength.dividend + strength.dividend + strength.divisor).recip();
-        Self { rest: &family.rest, strength, softness, moment, rounding, ordinary, heavy }
+        Self { rest: &family.rest, strength, softness, moment, rounding, unit_mass, heavy }
     }
 
     /// Links between particles that are `ACROSS` columns apart.
@@ -130,8 +130,8 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         [u, v]: [&[S; W]; 2],
         shifted: impl Fn(&[S; W]) -> [S; W],
     ) -> Softness<S, W> {
-        if rows.iter().all(|row| self.ordinary[*row]) {
-            return Softness::Ordinary(self.softness);
+        if rows.iter().all(|row| self.unit_mass[*row]) {
+            return Softness::UnitMass(self.softness);
         }
         let (Quotient { dividend, divisor }, heavy) = (self.strength, self.heavy);
         let mut softness = shifted(v);
@@ -161,7 +161,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         pull: impl Fn(usize) -> Vec3<S>,
     ) {
         let heavy = if let Softness::Any(_) = softness { self.heavy } else { Heavy::NONE };
-        if self.ordinary[row] && heavy == Heavy::NONE {
+        if self.unit_mass[row] && heavy == Heavy::NONE {
             displace_row(particles, row, pull, self.moment);
         } else {
             let w = particles.inverse_mass.0[row].map(|w| heavy.scaled(w));
@@ -181,7 +181,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     ) -> Vec3<[S; W]> {
         let strength = self.strength;
         match softness {
-            &Softness::Ordinary(softness) => self.each(links, x, y, tension, |_, tension, excess| {
+            &Softness::UnitMass(softness) => self.each(links, x, y, tension, |_, tension, excess| {
                 (excess - strength.times_divisor(tension)).scaled(softness)
             }),
             Softness::Any(softness) => self.each(links, x, y, tension, |column, tension, excess| {
@@ -217,7 +217,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
 /// 1/(a·Σw + b)
 enum Softness<S, const W: usize> {
     /// The same everywhere: all particles have mass 1.
-    Ordinary(S),
+    UnitMass(S),
     /// Of each link; its reciprocal where numbers float, whose division is one operation.
     Any([S; W]),
 }

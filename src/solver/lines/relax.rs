@@ -5,7 +5,7 @@ use crate::link::{Family, Links, Quotient, Visitor, directions};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::{Rounding, Scalar};
-use crate::solver::ordinary::Ordinary;
+use crate::solver::unit_mass::UnitMass;
 
 use super::chain::Chain;
 use super::heavy::Heavy;
@@ -35,11 +35,11 @@ pub(super) struct Relax<'a, S, const W: usize, const H: usize> {
     first: bool,
     /// The next family's grid of multipliers.
     slot: usize,
-    /// The largest strain of a row that the sweep met.
-    met: S,
+    /// The largest strain of a row that the sweep found.
+    residual: S,
     /// How corrections are rounded.
     rounding: Rounding,
-    ordinary: Ordinary<W, H>,
+    unit_mass: UnitMass<W, H>,
     heavy: Heavy,
     /// The least inverse mass over the largest that is more than 1.
     span: S,
@@ -56,9 +56,9 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         moment: Moment,
         softness: S,
     ) -> Self {
-        let ordinary = Ordinary::new(particles);
-        let (heavy, span, none_is_light) = Heavy::new(particles, &ordinary.rows);
-        let (pass, met, rounding) = (Pass::Others, S::ZERO, moment.rounding());
+        let unit_mass = UnitMass::new(particles);
+        let (heavy, span, none_is_light) = Heavy::new(particles, &unit_mass.rows);
+        let (pass, residual, rounding) = (Pass::Others, S::ZERO, moment.rounding());
         Self {
             particles,
             tension,
@@ -67,9 +67,9 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
             pass,
             first: true,
             slot: 0,
-            met,
+            residual,
             rounding,
-            ordinary,
+            unit_mass,
             heavy,
             span,
             none_is_light,
@@ -105,13 +105,13 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         self.tension.fill(Grid::filled(S::ZERO));
     }
 
-    /// Relaxes every link once. Returns the largest strain of a row that it met.
+    /// Relaxes every link once. Returns the largest strain of a row that it found.
     pub(super) fn sweep<L: Links<S>>(&mut self, links: &L, first: bool) -> S {
-        (self.first, self.met) = (first, S::ZERO);
+        (self.first, self.residual) = (first, S::ZERO);
         for pass in [Pass::Others, Pass::Lines] {
             self.pass(links, pass);
         }
-        self.met
+        self.residual
     }
 
     fn pass<L: Links<S>>(&mut self, links: &L, pass: Pass) {
@@ -129,11 +129,11 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
 
     fn diagonals(&mut self, family: &Family<S>, slot: usize) {
         let strength = self.strength(family);
-        let Self { moment, rounding, ref ordinary, heavy, span, .. } = *self;
-        let chain = Chain { rest: &family.rest, strength, moment, rounding, ordinary, heavy, span };
+        let Self { moment, rounding, ref unit_mass, heavy, span, .. } = *self;
+        let chain = Chain { rest: &family.rest, strength, moment, rounding, unit_mass, heavy, span };
         if let Some([black, white]) = self.tension.get_mut(slot..slot + 2) {
             let worst = chain.diagonals(self.particles, [black, white]);
-            self.met = self.met.max(worst * family.rest.inverse);
+            self.residual = self.residual.max(worst * family.rest.inverse);
         }
     }
 
@@ -141,14 +141,14 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         let strength = self.strength(family);
         self.is_stiff |= is_stiff(&strength);
         let Some(tension) = self.tension.get_mut(slot) else { return };
-        let Self { moment, rounding, ref ordinary, heavy, span, .. } = *self;
-        let chain = Chain { rest: &family.rest, strength, moment, rounding, ordinary, heavy, span };
+        let Self { moment, rounding, ref unit_mass, heavy, span, .. } = *self;
+        let chain = Chain { rest: &family.rest, strength, moment, rounding, unit_mass, heavy, span };
         let worst = if const { DOWN == 0 } {
             chain.rows(self.particles, tension)
         } else {
             chain.columns(self.particles, tension)
         };
-        self.met = self.met.max(worst * family.rest.inverse);
+        self.residual = self.residual.max(worst * family.rest.inverse);
     }
 
     fn others<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
@@ -156,7 +156,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         if const { ACROSS == 1 && DOWN == 1 } && is_stiff(&strength) {
             return self.diagonals(family, slot);
         }
-        let pairs = Pairs::new(family, strength, self.moment, self.rounding, &self.ordinary.rows, self.heavy);
+        let pairs = Pairs::new(family, strength, self.moment, self.rounding, &self.unit_mass.rows, self.heavy);
         let memory = self.tension.get_mut(slot..slot + directions::<ACROSS, DOWN>());
         // without a memory a second time would count twice
         if memory.is_none() && !self.first {

@@ -1,4 +1,4 @@
-//! Taut chains don't shake.
+//! Geometric stiffness correction, so that taut chains don't shake.
 //!
 //! A tension pulls a bent chain straight, along the directions that its links had when it was solved. In a zigzag of amplitude y that pull moves a particle
 //! by up to −4·λ·y/L, where λ is the displacement that the tension gives a particle: beyond λ = L/2 by more than back again, which the rule in time amplifies
@@ -23,7 +23,7 @@ const MOST: i32 = 16;
 /// What is missing of the displacements of a chain of `count` particles, whose links have these directions and tensions (displacements of a particle of inverse mass 1,
 /// cells; both in the unit of multipliers). Nothing where it is bent by a right angle or more: no tension has pulled that straight yet.
 #[inline(never)] // few chains are that taut
-pub(super) fn ease<S: Scalar, const M: usize>(
+pub(super) fn geometric_stiffness<S: Scalar, const M: usize>(
     normal: &Vec3<[S; M]>,
     tension: &[S; M],
     inverse_mass: &[S; M],
@@ -90,7 +90,7 @@ mod tests {
         }
         let tensions = core::array::from_fn(|k| if k + 1 < M { S::from_f64(tension) } else { S::ZERO });
         let w = core::array::from_fn(|k| if free(k) { S::ONE } else { S::ZERO });
-        let by = ease(&normal, &tensions, &w, M, S::ONE, Heavy::NONE);
+        let by = geometric_stiffness(&normal, &tensions, &w, M, S::ONE, Heavy::NONE);
         core::array::from_fn(|k| {
             let pull = |k: usize| tension * normal.at(k).to_f64()[1];
             let pulled = if free(k) { pull(k) - pull(k - 1) } else { 0.0 };
@@ -127,8 +127,12 @@ mod tests {
     #[test]
     fn a_straight_chain_and_a_folded_one_are_left_alone() {
         let mut normal: Vec3<[f64; 3]> = Vec3::row(Vec3::from_f64([1.0, 0.0, 0.0]));
-        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 3, 1.0, Heavy::NONE).at(k) == Vec3::ZERO));
+        assert!((0..3).all(
+            |k| geometric_stiffness(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 3, 1.0, Heavy::NONE).at(k) == Vec3::ZERO
+        ));
         normal.set(1, Vec3::from_f64([-0.1, -0.99, 0.0]));
-        assert!((0..3).all(|k| ease(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 3, 1.0, Heavy::NONE).at(k) == Vec3::ZERO));
+        assert!((0..3).all(
+            |k| geometric_stiffness(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 3, 1.0, Heavy::NONE).at(k) == Vec3::ZERO
+        ));
     }
 }

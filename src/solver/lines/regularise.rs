@@ -1,15 +1,15 @@
-//! Multipliers that fixed point does not hold.
+//! Overflow guard for overstretched chains in fixed point.
 //!
-//! What pulls a torn chain together at once may be more than fixed point holds, and what wraps sends the chain flying. The multipliers of a chain with a free end are at
-//! most the sum of its residuals times the masses beyond their links, which those of a straight one are. Where that is not held, something is added to the diagonal
-//! (K. Levenberg, 1944): then no multiplier, nor one of a part of the chain, is larger than the largest residual over it (J. Varah, 1975).
+//! An exact solve may need multipliers above 127, which wrap and send the chain flying. The multipliers of a chain with a free end are bounded by Σ |residual| × mass beyond the link; those of a
+//! straight one are as large. Where that bound is too large, a little ε is added to the diagonal (K. Levenberg, 1944), which bounds every multiplier by max|residual|/ε
+//! (J. Varah, 1975). Later sweeps remove the rest.
 
 use crate::scalar::Scalar;
 
-/// What fixed point holds.
+/// The largest number of fixed point.
 const RANGE: f64 = 127.0;
 
-/// Masses are counted in sixteens, so that sums of them are held.
+/// Masses are counted in sixteens, so that sums of them fit.
 const SIXTEEN: u32 = 4;
 
 /// The residual up to which no chain of `M` particles needs a look, where the least inverse mass over the largest that is more than 1 is `span`.
@@ -18,11 +18,11 @@ pub(super) fn harmless<S: Scalar, const M: usize>(span: S) -> S {
     span * S::from_f64(const { 2.0 * RANGE / (M * M) as f64 })
 }
 
-/// What is added to the diagonal of a chain of `count` particles with these residuals and inverse masses, in the unit of multipliers. Its last residual is
+/// The ε that is added to the diagonal of a chain of `count` particles with these residuals and inverse masses, in the unit of multipliers. Its last residual is
 /// none, and so is what stands behind it.
 #[cold]
 #[inline(never)]
-pub(super) fn held_back<S: Scalar, const M: usize>(residual: &[S; M], inverse_mass: &[S; M], count: usize) -> S {
+pub(super) fn regularisation<S: Scalar, const M: usize>(residual: &[S; M], inverse_mass: &[S; M], count: usize) -> S {
     let saturating = |a: S, b: S| a.difference(-b);
     // beyond the chain's end nothing has a mass
     let mass: [S; M] = core::array::from_fn(|k| {
@@ -64,11 +64,11 @@ mod tests {
 
     /// What is added for a chain of four links that are all this much too long.
     fn added(residual: f64, inverse_masses: [f64; 5]) -> f64 {
-        held_back(&[residual; 5].map(Q24::from_f64), &inverse_masses.map(Q24::from_f64), 5).to_f64()
+        regularisation(&[residual; 5].map(Q24::from_f64), &inverse_masses.map(Q24::from_f64), 5).to_f64()
     }
 
     #[test]
-    fn multipliers_are_held_back_where_they_are_not_held() {
+    fn multipliers_are_regularised_where_they_would_wrap() {
         // 4 + 3 + 2 + 1 masses
         let hung = [0.0, 1.0, 1.0, 1.0, 1.0];
         assert_eq!(added(12.6, hung), 0.0);

@@ -5,7 +5,7 @@ use crate::scalar::Scalar;
 
 /// The rows and columns of nothing but particles of mass 1, and the rows of nothing but pins.
 #[derive(Clone, Copy)]
-pub(super) struct Ordinary<const W: usize, const H: usize> {
+pub(super) struct UnitMass<const W: usize, const H: usize> {
     pub(super) held: [bool; H],
     pub(super) rows: [bool; H],
     pub(super) columns: [bool; W],
@@ -16,7 +16,7 @@ pub(super) fn rows<S: Scalar, const W: usize, const H: usize>(particles: &Partic
     core::array::from_fn(|row| particles.inverse_mass.0[row].iter().all(|&w| w == S::ONE))
 }
 
-impl<const W: usize, const H: usize> Ordinary<W, H> {
+impl<const W: usize, const H: usize> UnitMass<W, H> {
     pub(super) fn new<S: Scalar>(particles: &Particles<S, W, H>) -> Self {
         let masses = &particles.inverse_mass.0;
         Self {
