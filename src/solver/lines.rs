@@ -29,7 +29,6 @@ mod pull;
 mod regularise;
 mod relax;
 mod rule;
-mod smooth;
 mod split;
 mod sweeps;
 mod viscosity;
@@ -50,7 +49,6 @@ use contact::Contacts;
 use pull::Viscous;
 use relax::Relax;
 use rule::TimeRule;
-use smooth::{SLOW, STILL, smooth};
 use split::{Outcome, Split};
 use sweeps::Kept;
 
@@ -221,6 +219,7 @@ impl<S: Scalar> Solver<S> for Lines {
         let split = memory.split.halvings();
         let before = (moment.substep - 1) << split;
         let mut outcome = Outcome::NONE;
+        memory.residual = S::ZERO;
         for part in 1..=1 << split {
             let moment = Moment {
                 substep: before + part,
@@ -230,7 +229,6 @@ impl<S: Scalar> Solver<S> for Lines {
             };
             outcome = outcome.and(self.part(physics, particles, memory, moment, split));
         }
-        memory.residual = outcome.residual;
         if memory.split.learn(&outcome, S::from_f64(self.tolerance), W.max(H), self.most_sweeps) {
             memory.history = History::Rough;
             memory.kept = Kept::NONE;
@@ -241,7 +239,7 @@ impl<S: Scalar> Solver<S> for Lines {
 impl Lines {
     /// Moves particles by a part of a substep: a half, a quarter and so on, `split` times halved.
     ///
-    /// Its stages: predict, damp, sweep until satisfied, contacts, dampers' second turn, smooth, remember.
+    /// Its stages: predict, damp, sweep until satisfied, contacts, dampers' second turn, remember.
     fn part<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
@@ -268,23 +266,19 @@ impl Lines {
         if let Some(viscous) = viscous {
             viscous.complete(links, particles, &rule);
         }
-        let substep = moment.shift - split;
-        let moves = |cells: f64| !is_slow(particles, cells, substep.min(8));
-        if split > 0 && swept.shakes && moves(STILL) && !moves(SLOW) {
-            smooth(particles);
-        }
 
         // the least number of sweeps needs no keeping
         memory.kept = if calm { memory.kept.after(swept.count, swept.plenty) } else { Kept::NONE };
         memory.history = if swept.residual > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
-        Outcome { residual: swept.residual, mendable: swept.mendable, few: swept.count <= budget.least }
+        memory.residual = memory.residual.max(swept.residual);
+        Outcome { mendable: swept.mendable, few: swept.count <= budget.least }
     }
 
     /// The sweeps that a part of a substep may have that is halved `split` times.
     fn budget(&self, split: u32, kept: Kept) -> Budget {
         let most = (self.most_sweeps >> split).max(1);
         let least = self.sweeps.clamp(1, most);
-        Budget { least, wanted: least.max(kept.number()), patience: most.min(PATIENCE).max(least), most }
+        Budget { least, wanted: least.max(kept.number()), most }
     }
 
     /// Sweeps over all links until every row is within the tolerance, or no more sweeps are left.
@@ -304,7 +298,9 @@ impl Lines {
         // neither overstretched links nor light particles gain by shorter steps
         let none_is_light = relax.none_is_light;
         let gains_by_splitting = |found: S| found <= S::ONE && none_is_light;
-        let most = |found: S| if gains_by_splitting(found) { budget.patience } else { budget.most };
+        let most = |found: S| {
+            if gains_by_splitting(found) { budget.most.min(PATIENCE).max(budget.least) } else { budget.most }
+        };
         let tolerance = S::from_f64(self.tolerance);
         let (mut before, mut found, mut count) = (S::ZERO, relax.sweep(links, true), 1);
         while count < most(found) && (count < budget.wanted || found > tolerance) {
@@ -319,7 +315,6 @@ impl Lines {
             residual: found,
             mendable: if gains_by_splitting(found) { found } else { S::ZERO },
             plenty: before < tolerance.halve(PLENTY),
-            shakes: none_is_light && relax.is_stiff,
         }
     }
 }
@@ -330,8 +325,6 @@ struct Budget {
     least: u32,
     /// So many, whatever they find: a calm sheet's are kept.
     wanted: u32,
-    /// So many at most where shorter steps do more.
-    patience: u32,
     /// So many at most.
     most: u32,
 }
@@ -346,8 +339,6 @@ struct Swept<S> {
     mendable: S,
     /// Whether fewer sweeps would have done.
     plenty: bool,
-    /// Whether what is left may shake: light particles are swept, not split, and soft springs take up what sweeps leave.
-    shakes: bool,
 }
 
 /// Whether no particle moves by so many cells in the 2^shift-th part of a tick. In motion one of the first does.

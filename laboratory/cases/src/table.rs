@@ -62,7 +62,7 @@ pub const TABLE: &[(&str, &str, [u32; 4])] = &[
     ("gravity", "Verlet", [0xb6480b07, 0x1d65c524, 0xf3cf136a, 0xb019aa0a]),
     ("gravity", "Leapfrog", [0xf961aa7f, 0xec7855e6, 0x70e0a8e3, 0x70e0a8e3]),
     ("gravity", "Xpbd", [0x2d4efb4c, 0x0064e2eb, 0xe9686017, 0x09cae6a6]),
-    ("gravity", "Lines", [0xc7470670, 0x21fd49be, 0x538e5e78, 0x0e2465dc]),
+    ("gravity", "Lines", [0xc9e974b7, 0x0a929505, 0x4c2e3488, 0x138295a8]),
     ("sphere", "ForwardEuler", [0x4c79a755, 0x67cacfa9, 0x593b428d, 0x593b428d]),
     ("sphere", "BackwardEuler", [0x6db7a69a, 0xd75c9d6f, 0x73b68d3f, 0x73b68d3f]),
     ("sphere", "Verlet", [0xb5b14563, 0xba34c427, 0x94f6385a, 0x1d95a23a]),

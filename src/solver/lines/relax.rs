@@ -45,8 +45,6 @@ pub(super) struct Relax<'a, S, const W: usize, const H: usize> {
     span: S,
     /// Whether shorter steps converge better than more sweeps: they do unless a particle is lighter than an eighth of a mass.
     pub(super) none_is_light: bool,
-    /// Whether rows or columns are much stiffer than inertia.
-    pub(super) is_stiff: bool,
 }
 
 impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
@@ -73,7 +71,6 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
             heavy,
             span,
             none_is_light,
-            is_stiff: false,
         }
     }
 
@@ -139,7 +136,6 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
 
     fn lines<const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
         let strength = self.strength(family);
-        self.is_stiff |= is_stiff(&strength);
         let Some(tension) = self.tension.get_mut(slot) else { return };
         let Self { moment, rounding, ref unit_mass, heavy, span, .. } = *self;
         let chain = Chain { rest: &family.rest, strength, moment, rounding, unit_mass, heavy, span };
@@ -153,7 +149,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
 
     fn others<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
         let strength = family.strength.scaled(self.softness);
-        if const { ACROSS == 1 && DOWN == 1 } && is_stiff(&strength) {
+        if const { ACROSS == 1 && DOWN == 1 } && strength.divisor.double(STIFF) < strength.dividend {
             return self.diagonals(family, slot);
         }
         let pairs = Pairs::new(family, strength, self.moment, self.rounding, &self.unit_mass.rows, self.heavy);
@@ -172,12 +168,6 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
             pairs.column::<DOWN, W>(self.particles, tension.first_mut());
         }
     }
-}
-
-/// Whether κ is so large.
-#[inline(always)]
-fn is_stiff<S: Scalar>(strength: &Quotient<S>) -> bool {
-    strength.divisor.double(STIFF) < strength.dividend
 }
 
 /// Gives each velocity what `change` makes of it and its position.

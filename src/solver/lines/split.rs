@@ -16,9 +16,7 @@ const EASY: u8 = 8;
 /// What the sweeps of a substep, or of its parts, came to.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Outcome<S> {
-    /// The largest strain of a row that a last sweep found.
-    pub(super) residual: S,
-    /// The same as far as shorter steps leave less.
+    /// The largest strain of a row that a last sweep found, as far as shorter steps leave less.
     pub(super) mendable: S,
     /// Whether the least number of sweeps was enough everywhere.
     pub(super) few: bool,
@@ -26,12 +24,11 @@ pub(super) struct Outcome<S> {
 
 impl<S: Scalar> Outcome<S> {
     /// Of no part yet.
-    pub(super) const NONE: Self = Self { residual: S::ZERO, mendable: S::ZERO, few: true };
+    pub(super) const NONE: Self = Self { mendable: S::ZERO, few: true };
 
     /// Of parts one after the other.
     pub(super) fn and(self, other: Self) -> Self {
-        let (residual, mendable) = (self.residual.max(other.residual), self.mendable.max(other.mendable));
-        Self { residual, mendable, few: self.few && other.few }
+        Self { mendable: self.mendable.max(other.mendable), few: self.few && other.few }
     }
 }
 
@@ -116,7 +113,7 @@ mod tests {
         for (side, sweeps, most) in [(8, 1, 0), (32, 2, 1), (32, 16, 4), (33, 16, 6), (64, 16, 6), (65, 16, 8)] {
             let mut split = Split::start(side, sweeps);
             for _ in 0..9 {
-                split.learn(&Outcome { residual: 0.1, mendable: 0.1, few: false }, 0.02, side, sweeps);
+                split.learn(&Outcome { mendable: 0.1, few: false }, 0.02, side, sweeps);
             }
             assert_eq!(split.halvings(), most, "{sweeps} sweeps, {side} particles");
         }
@@ -126,7 +123,7 @@ mod tests {
     fn parts_are_joined_one_by_one_where_all_is_easy() {
         let mut split = Split { halvings: 2, easy: 0 };
         let mut run = |residual, few, substeps| {
-            (0..substeps).for_each(|_| _ = split.learn(&Outcome { residual, mendable: residual, few }, 0.02, 32, 16));
+            (0..substeps).for_each(|_| _ = split.learn(&Outcome { mendable: residual, few }, 0.02, 32, 16));
             split.halvings()
         };
         assert_eq!(run(0.002, true, 7), 2);
