@@ -30,7 +30,7 @@ pub(crate) trait Ordeal {
     fn calm(&self) -> f64 {
         6.0
     }
-    /// The largest speed that is left, sizes a second.
+    /// The largest speed that is left, sizes a second: its root mean square over the last frames, since what trembles is slow or fast by chance at any one moment.
     fn still(&self) -> f64 {
         0.02
     }
@@ -39,6 +39,9 @@ pub(crate) trait Ordeal {
         0.2
     }
 }
+
+/// The frames of the calm over which speeds are averaged.
+const LAST: u32 = 10;
 
 fn run<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
     ordeal: &impl Ordeal,
@@ -60,11 +63,16 @@ fn run<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
     ordeal.end(&mut stage);
     stage.gravity(DOWN);
     stage.drag(5.0);
-    for frame in 0..(ordeal.calm() / sheet.frame).ceil() as u32 {
+    let calm = (ordeal.calm() / sheet.frame).ceil() as u32;
+    let mut squares = 0.0;
+    for frame in 0..calm {
         stage.step();
         bounded(&stage, "calm frame", frame)?;
+        if frame + LAST >= calm {
+            squares += (stage.speed() / sheet.size).powi(2);
+        }
     }
-    let (speed, strain) = (stage.speed() / sheet.size, stage.strain());
+    let (speed, strain) = ((squares / f64::from(LAST)).sqrt(), stage.strain());
     // q13 measures links to 2⁻¹³ cells, which in a short step of a stiff sheet is a speed
     let measured = if S::NAME == Q13::NAME {
         64.0 / 8192.0 / (W - 1) as f64 / (sheet.frame / f64::from(sheet.substeps))
