@@ -40,6 +40,21 @@ pub trait Collider<S: Scalar> {
         true
     }
 
+    /// Whether particles meet each other: where not, [`meet`](Self::meet) is not called.
+    #[inline]
+    fn meets(&self) -> bool {
+        false
+    }
+
+    /// Moves particles apart that meet each other, before they are moved out of surfaces: see [`self_contact`](crate::self_contact).
+    #[inline]
+    fn meet<const W: usize, const H: usize>(
+        &self,
+        _particles: &mut Particles<S, W, H>,
+        _meeting: &mut impl Meeting<S, W, H>,
+    ) {
+    }
+
     /// Moves the collider on to `end`, the end of a frame.
     #[inline]
     fn advance(&mut self, _end: Moment) {}
@@ -104,6 +119,49 @@ impl<S: Scalar> Contact<S> {
     }
 }
 
+/// How a solver lets particles meet: what it knows of a substep, and what it does to them.
+pub trait Meeting<S: Scalar, const W: usize, const H: usize> {
+    /// The substep.
+    fn moment(&self) -> Moment;
+
+    /// By how much a particle has moved so far in this substep.
+    fn moved(&self, particles: &Particles<S, W, H>, node: Node) -> Vec3<S>;
+
+    /// Moves two particles apart, the first of them by its share of what a contact asks for. The contact's surface is the second particle.
+    fn separate(&mut self, particles: &mut Particles<S, W, H>, pair: [Node; 2], contact: &Contact<S>);
+}
+
+/// A meeting in a rule of one step: what moves a particle is in its velocity.
+struct OneStep(Moment);
+
+impl<S: Scalar, const W: usize, const H: usize> Meeting<S, W, H> for OneStep {
+    fn moment(&self) -> Moment {
+        self.0
+    }
+
+    #[inline(always)]
+    fn moved(&self, particles: &Particles<S, W, H>, node: Node) -> Vec3<S> {
+        self.0.displacement(particles.velocity.at(node))
+    }
+
+    #[inline(always)]
+    fn separate(&mut self, particles: &mut Particles<S, W, H>, [i, j]: [Node; 2], contact: &Contact<S>) {
+        let [to_i, to_j] = shared(contact.by, [i, j].map(|node| particles.inverse_mass[node]));
+        particles.displace(i, to_i, self.0);
+        particles.displace(j, -to_j, self.0);
+    }
+}
+
+/// The shares of two particles with these inverse masses in what is done to them against each other: equal ones to the bit if they are equal, so that momentum is kept.
+#[inline(always)]
+pub(crate) fn shared<S: Scalar>(by: Vec3<S>, [first, second]: [S; 2]) -> [Vec3<S>; 2] {
+    if first == second {
+        return [by.halve(1); 2];
+    }
+    let share = first.divide(first + second);
+    [by * share, by * (S::ONE - share)]
+}
+
 /// Radius and margin together, cells.
 #[track_caller]
 #[inline]
@@ -140,6 +198,9 @@ pub(crate) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>
     particles: &mut Particles<S, W, H>,
     moment: Moment,
 ) {
+    if colliders.meets() {
+        colliders.meet(particles, &mut OneStep(moment));
+    }
     touch(
         colliders,
         particles,
@@ -228,6 +289,22 @@ impl<S: Scalar, T: Collider<S>> Collider<S> for Option<T> {
     }
 
     #[inline]
+    fn meets(&self) -> bool {
+        self.as_ref().is_some_and(T::meets)
+    }
+
+    #[inline]
+    fn meet<const W: usize, const H: usize>(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        meeting: &mut impl Meeting<S, W, H>,
+    ) {
+        if let Some(collider) = self {
+            collider.meet(particles, meeting);
+        }
+    }
+
+    #[inline]
     fn advance(&mut self, end: Moment) {
         if let Some(collider) = self {
             collider.advance(end);
@@ -264,6 +341,20 @@ impl<S: Scalar, T: Collider<S>> Collider<S> for [T] {
     }
 
     #[inline]
+    fn meets(&self) -> bool {
+        self.iter().any(T::meets)
+    }
+
+    #[inline]
+    fn meet<const W: usize, const H: usize>(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        meeting: &mut impl Meeting<S, W, H>,
+    ) {
+        self.iter().for_each(|collider| collider.meet(particles, meeting));
+    }
+
+    #[inline]
     fn advance(&mut self, end: Moment) {
         for collider in self {
             collider.advance(end);
@@ -291,6 +382,20 @@ impl<S: Scalar, T: Collider<S>, const N: usize> Collider<S> for heapless::Vec<T,
     #[inline]
     fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
         self.as_slice().reaches(moment, low, high)
+    }
+
+    #[inline]
+    fn meets(&self) -> bool {
+        self.as_slice().meets()
+    }
+
+    #[inline]
+    fn meet<const W: usize, const H: usize>(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        meeting: &mut impl Meeting<S, W, H>,
+    ) {
+        self.as_slice().meet(particles, meeting);
     }
 
     #[inline]
@@ -344,6 +449,20 @@ macro_rules! tuple {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
                 $($name.reaches(moment, low, high))||+
+            }
+
+            #[inline]
+            fn meets(&self) -> bool {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.meets())||+
+            }
+
+            #[inline]
+            fn meet<const W: usize, const H: usize>(&self, particles: &mut Particles<S, W, H>, meeting: &mut impl Meeting<S, W, H>) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.meet(particles, meeting);)+
             }
 
             #[inline]

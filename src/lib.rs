@@ -44,6 +44,7 @@
 //! | `saved` | its way out and back (feature `serde`) |
 //! | [`force`], [`link`], [`collider`] | what acts on it |
 //! | [`solver`] | the ways to move it |
+//! | [`self_contact`] | a sheet that meets itself |
 //! | [`rest`] | when nothing moves, nothing is computed |
 //! | [`scene`] | the description, and the step |
 //! | [`sheet`] | size, number type and units said once; the way in |
@@ -88,6 +89,7 @@ pub mod rest;
 pub mod saved;
 pub mod scalar;
 pub mod scene;
+pub mod self_contact;
 pub mod sheet;
 pub mod solver;
 pub mod units;
@@ -107,6 +109,7 @@ pub use ray::{Hit, Ray};
 pub use rest::{Resting, Stillness};
 pub use scalar::{Fixed24, Q13, Q24, Scalar};
 pub use scene::Scene;
+pub use self_contact::SelfContact;
 pub use sheet::Sheet;
 pub use solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, LinesMemory, Solver, Verlet, Xpbd};
 pub use units::{Point, Units};

@@ -1,5 +1,9 @@
 //! What can be read off a sheet: strain, energy, momentum, bounds, digest. Nothing here changes it.
 
+mod intersections;
+
+pub use intersections::intersections;
+
 use crate::grid::Grid;
 use crate::link::{Family, Links, OneByOne, Order, Visitor, one_by_one};
 use crate::particles::Particles;
@@ -107,6 +111,22 @@ pub fn elastic_energy<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
 pub fn momentum<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, units: &Units) -> [f64; 3] {
     let scale = units.mass * units.cell / units.tick();
     free(particles).fold([0.0; 3], |sum, (mass, _, v)| core::array::from_fn(|k| sum[k] + mass * v[k] * scale))
+}
+
+/// The least distance of two particles that are two or more columns or rows apart in the sheet, m; infinite where there are none. It looks at every pair.
+pub fn closest<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, units: &Units) -> f64 {
+    let mut least = f64::INFINITY;
+    for a in Grid::<S, W, H>::nodes() {
+        let place = particles.position.at(a).to_f64();
+        for b in Grid::<S, W, H>::nodes()
+            .filter(|b| b.row >= a.row + 2 || b.row >= a.row && b.column.abs_diff(a.column) >= 2)
+        {
+            let other = particles.position.at(b).to_f64();
+            let way: [f64; 3] = core::array::from_fn(|axis| other[axis] - place[axis]);
+            least = least.min(dot(way, way));
+        }
+    }
+    units.cell * libm::sqrt(least)
 }
 
 /// Mass, position and velocity of each free particle.

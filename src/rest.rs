@@ -214,6 +214,11 @@ impl<M, S: Scalar, const W: usize, const H: usize> Memory<M, S, W, H> {
         &mut self.solver
     }
 
+    /// What the solver remembers, to look at.
+    pub const fn inner(&self) -> &M {
+        &self.solver
+    }
+
     /// Whether the last frame ended at rest: the next one is not computed if nothing changes.
     pub const fn is_at_rest(&self) -> bool {
         self.watch.at_rest

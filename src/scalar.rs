@@ -151,6 +151,9 @@ pub trait Scalar:
     /// The whole number nearest to `self · factor`, ties upward: pixels, tones, depths. The result lies within 32 bits.
     fn round_times(self, factor: i32) -> i32;
 
+    /// `256 · self` as a whole number, less than one off: what boxes are made of. The largest or least of 32 bits where they don't hold it.
+    fn coarse(self) -> i32;
+
     /// What is done to both ends of a link d to undo `part` of its elongation, `part·(1 − L/|d|)·d`; `|part| ≤ 1`.
     #[inline]
     fn correction(d: [Self; 3], rest: &Rest<Self>, part: Self, _: Rounding) -> [Self; 3] {

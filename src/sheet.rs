@@ -29,6 +29,7 @@ use crate::material::Material;
 use crate::rest::{Resting, Stillness};
 use crate::scalar::Scalar;
 use crate::scene::{Only, Scene};
+use crate::self_contact::{SelfContact, Thickness};
 use crate::units::Units;
 use crate::vec3::Vec3;
 
@@ -223,6 +224,16 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
     #[inline]
     pub fn tether<'a, const N: usize>(&self, anchors: &'a [Node], slack: f64) -> Result<Tether<S, N>, &'a [Node]> {
         Tether::new(&self.units, anchors, slack)
+    }
+
+    /// `solver` for a sheet that meets itself: its thickness (m), and its coefficient of friction on itself.
+    ///
+    /// # Panics
+    /// For a thickness that is not between 0.75 and 1 times the longer side of a cell.
+    #[track_caller]
+    #[inline]
+    pub fn self_contact<V>(&self, thickness: f64, friction: f64, solver: V) -> SelfContact<S, V> {
+        SelfContact::new(Thickness::new(&self.units, thickness), friction, solver)
     }
 
     /// `solver`, which rests where a sheet is as still as that.

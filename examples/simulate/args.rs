@@ -18,7 +18,7 @@ use console::{scalar_kind, solver_kind};
 // One for each flag.
 #[allow(clippy::struct_excessive_bools)]
 pub(crate) struct Args {
-    /// A scene file, or a built-in scene: gravity, sphere, wind, no-shear, flag, curtain, drape
+    /// A scene file, or a built-in scene: gravity, sphere, wind, no-shear, flag, curtain, drape, heap, fold
     #[arg(default_value = DEFAULT_SCENE)]
     pub(crate) scene: OsString,
     /// Number type
@@ -51,6 +51,9 @@ pub(crate) struct Args {
     /// Write positions.csv
     #[arg(long)]
     pub(crate) csv: bool,
+    /// Count in every frame how often the sheet passes through itself, by every edge and triangle of it: slow on large grids
+    #[arg(long)]
+    pub(crate) intersections: bool,
     /// Record every Nth frame; the first and the last always
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 1, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) every: u32,

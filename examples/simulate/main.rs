@@ -59,7 +59,7 @@ fn run(args: &Args) -> Result<(), Failure> {
         Ok::<_, String>(())
     };
 
-    let mut watch = Watch::start(&*simulation);
+    let mut watch = Watch::start(&*simulation, args.intersections);
     record(0, simulation.still())?;
     let bar = progress("frames", u64::from(scene.frames));
     for frame in 1..=scene.frames {

@@ -59,6 +59,12 @@ pub(crate) struct Report {
     seconds: f64,
     steps_per_second: f64,
     particle_steps_per_second: f64,
+    /// Pairs of particles that met each other at once, at most; of a sheet that meets itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    self_contacts: Option<u32>,
+    /// Pairs of an edge and a triangle that pass through each other: the sum over all frames, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    self_intersections: Option<u64>,
     max_strain_motion: Families,
     max_strain_end: Families,
     rms_strain_end: f64,
@@ -79,6 +85,8 @@ pub(crate) struct Watch {
     at_rest: u32,
     /// Whether the last frame ended at rest.
     rests: bool,
+    self_contacts: Option<u32>,
+    self_intersections: Option<u64>,
     energy_start: f64,
     solving: Duration,
     frames: u32,
@@ -88,11 +96,13 @@ pub(crate) struct Watch {
 
 impl Watch {
     /// Begins before the first frame.
-    pub(crate) fn start(simulation: &dyn Simulation) -> Self {
+    pub(crate) fn start(simulation: &dyn Simulation, intersections: bool) -> Self {
         let mut watch = Self {
             in_motion: Families::default(),
             at_rest: 0,
             rests: false,
+            self_contacts: None,
+            self_intersections: intersections.then_some(0),
             energy_start: simulation.energy(),
             solving: Duration::ZERO,
             frames: 0,
@@ -109,12 +119,16 @@ impl Watch {
         self.at_rest += u32::from(rests && self.rests);
         self.rests = rests;
         self.frames += 1;
+        self.self_contacts = self.self_contacts.max(simulation.self_contacts());
         self.exploded = self.exploded.or_else(|| simulation.explosion().map(|explosion| (self.frames, explosion)));
         self.look(simulation);
     }
 
     fn look(&mut self, simulation: &dyn Simulation) {
         self.in_motion.raise(&Families::of(&simulation.strains(), |strain| strain.largest));
+        if let Some(sum) = &mut self.self_intersections {
+            *sum += u64::from(simulation.intersections());
+        }
     }
 
     /// The report after the last frame.
@@ -137,6 +151,8 @@ impl Watch {
             seconds,
             steps_per_second,
             particle_steps_per_second: steps_per_second * particles as f64,
+            self_contacts: self.self_contacts,
+            self_intersections: self.self_intersections,
             max_strain_motion: self.in_motion,
             max_strain_end: Families::of(&strains, |strain| strain.largest),
             rms_strain_end: strains.all.rms,
@@ -167,6 +183,12 @@ impl fmt::Display for Report {
         }
         writeln!(f, "time              {:.3} s, {:.0} steps/s", self.seconds, self.steps_per_second)?;
         writeln!(f, "                  {:.3e} particle steps/s", self.particle_steps_per_second)?;
+        if let Some(contacts) = self.self_contacts {
+            writeln!(f, "meets itself in   {contacts} places at most")?;
+        }
+        if let Some(sum) = self.self_intersections {
+            writeln!(f, "passes through    {sum} times, all frames together")?;
+        }
         writeln!(f, "strain in motion  {}", self.max_strain_motion)?;
         writeln!(f, "strain at the end {}", self.max_strain_end)?;
         writeln!(f, "                  {:.3} % RMS of all links", 100.0 * self.rms_strain_end)?;

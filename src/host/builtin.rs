@@ -17,7 +17,7 @@ macro_rules! built_in {
         ),*];
     };
 }
-built_in! { "gravity" "sphere" "wind" "no-shear" "flag" "curtain" "drape" }
+built_in! { "gravity" "sphere" "wind" "no-shear" "flag" "curtain" "drape" "heap" "fold" }
 
 /// The scene that runs where none is named.
 pub const DEFAULT_SCENE: &str = "drape";

@@ -242,6 +242,11 @@ impl Scalar for Counted {
         self.0.round_times(factor)
     }
     #[inline]
+    fn coarse(self) -> i32 {
+        Self::did(Operations::PRODUCT);
+        self.0.coarse()
+    }
+    #[inline]
     fn direction(d: [Self; 3], rest: &Rest<Self>) -> (Self, [Self; 3]) {
         Self::did(GAUGE.and(DIRECTION));
         let (longer, along) = f32::direction(d.map(|component| component.0), &plain(*rest));

@@ -37,6 +37,8 @@ pub struct Description {
     pub capsules: Vec<Capsule>,
     /// How the sheet is moved.
     pub solver: Solver,
+    /// How the sheet meets itself.
+    pub self_contact: Option<SelfContact>,
     /// How still the sheet has to be for nothing to be computed.
     pub rest: Option<Stillness>,
     /// Number of frames of [`Solver::step`] each.
@@ -62,6 +64,15 @@ impl Description {
     pub fn parse(text: &str) -> Result<Self, SceneError> {
         File::parse(text)?.resolve()
     }
+}
+
+/// A sheet that meets itself.
+#[derive(Clone, Copy, Debug)]
+pub struct SelfContact {
+    /// How far particles that are no neighbours keep apart, m; a cell's longer side where a file does not say.
+    pub thickness: Option<f64>,
+    /// Coulomb's coefficient of friction.
+    pub friction: f64,
 }
 
 /// The sheet at the start.

@@ -38,6 +38,8 @@ pub(super) struct File {
     pub(super) capsule: Vec<Table<Capsule>>,
     #[serde(default)]
     pub(super) solver: Table<Solver>,
+    #[serde(rename = "self")]
+    pub(super) self_contact: Option<Table<SelfContact>>,
     pub(super) rest: Option<Table<Rest>>,
     #[serde(default)]
     pub(super) run: Table<Run>,
@@ -239,6 +241,13 @@ pub(super) struct Solver {
     pub(super) sweeps: Option<Count>,
     pub(super) tolerance: Option<Positive>,
     pub(super) strain_limit: Option<Positive>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct SelfContact {
+    pub(super) thickness: Option<Positive>,
+    pub(super) friction: Option<NonNegative>,
 }
 
 #[derive(Debug, Default, Deserialize)]

@@ -51,6 +51,8 @@
 //! | | `sweeps` | sweeps of lines in a substep \[2 · `iterations`\] |
 //! | | `tolerance` | strain of a row for which lines spend further sweeps, > 0 \[0.02\] |
 //! | | `strain_limit` | no link longer than 1 + limit times its rest length, > 0 |
+//! | `[self]` | `thickness` | the sheet meets itself: how far it keeps from itself, m, 0.75 to 1 of a cell's longer side \[1 of it\] |
+//! | | `friction` | Coulomb's coefficient on itself, ≥ 0 \[0\] |
 //! | `[rest]` | `speed`, `acceleration`, `time` | a sheet that is as still as this is not computed: see [`Stillness`](crate::rest::Stillness); m/s, m/s², s > 0 \[0.001, 0.001, 0.5\] |
 //! | `[run]` | `frames` | \[100\] |
 //! | `[picture]` | `azimuth`, `elevation` | from where it is looked at, degrees \[30, 20\] |

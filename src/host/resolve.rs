@@ -5,7 +5,7 @@ use std::vec::Vec;
 
 use super::choice::SolverKind;
 use super::description::{
-    Capsule, Description, Drag, Picture, Plane, Sheet, Solver, Sphere, Spring, Surface, Wind, WindModel,
+    Capsule, Description, Drag, Picture, Plane, SelfContact, Sheet, Solver, Sphere, Spring, Surface, Wind, WindModel,
 };
 use super::error::SceneError;
 use super::file::{self, File, Pins, Table};
@@ -56,6 +56,10 @@ impl File {
                 tolerance: solver.tolerance.map_or(Lines::new().tolerance, Positive::get),
                 strain_limit: solver.strain_limit.map(Positive::get),
             },
+            self_contact: self.self_contact.map(|Table(own)| SelfContact {
+                thickness: own.thickness.map(Positive::get),
+                friction: or_zero(own.friction),
+            }),
             rest: self.rest.as_ref().map(rest),
             frames: self.run.0.frames.map_or(FRAMES, Count::get),
             picture: picture(&self.picture.0)?,

@@ -142,6 +142,10 @@ pub trait Simulation: Send {
     }
     /// Whether the sheet is at rest, so that the next frame is not computed if nothing changes: a scene's `[rest]`.
     fn is_at_rest(&self) -> bool;
+    /// How many pairs of particles met each other at once in the last frame, at most; none in a scene without `[self]`.
+    fn self_contacts(&self) -> Option<u32>;
+    /// How many pairs of an edge and a triangle of the sheet pass through each other: see [`intersections`](crate::measure::intersections).
+    fn intersections(&self) -> u32;
     /// All that moves.
     fn state(&self) -> State;
     /// Goes on from `state`, which belongs to a sheet of the same grid.
@@ -192,7 +196,7 @@ impl Description {
 struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     units: Units,
     gravity: [f64; 3],
-    scene: Scene<Forces<S, P>, SceneLinks<S, P>, P::Obstacles, SceneSolver>,
+    scene: Scene<Forces<S, P>, SceneLinks<S, P>, P::Obstacles, SceneSolver<S>>,
     cloth: Box<Cloth<S, W, H>>,
     /// Inverse masses of the sheet without pins.
     unpinned: Box<Grid<S, W, H>>,
@@ -200,7 +204,7 @@ struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     /// Where the first particle started and how far from there the sheet may go, cells.
     start: [f64; 3],
     furthest: f64,
-    memory: <SceneSolver as Solver<S>>::Memory<SceneLinks<S, P>, W, H>,
+    memory: <SceneSolver<S> as Solver<S>>::Memory<SceneLinks<S, P>, W, H>,
 }
 
 impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S, W, H> {
@@ -213,7 +217,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S
         }
         let forces = description.forces::<S, P>(&units)?;
         let (links, obstacles) = (description.links::<S, P>(&units)?, P::obstacles(description, &units)?);
-        let scene = Scene::new(&units, forces, links, obstacles, SceneSolver::new::<S>(description, &units)?);
+        let scene = Scene::new(&units, forces, links, obstacles, SceneSolver::new(description, &units)?);
         let (memory, range) = (scene.memory(), Range::new(&mut cloth.position.values()));
         let (start, gravity) = (units.point(description.sheet.origin).0, description.gravity);
         let furthest = FAR * (units.sides[0] * (W - 1) as f64).max(units.sides[1] * (H - 1) as f64);
@@ -269,6 +273,14 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
 
     fn is_at_rest(&self) -> bool {
         self.memory.is_at_rest()
+    }
+
+    fn self_contacts(&self) -> Option<u32> {
+        self.memory.inner().contacts()
+    }
+
+    fn intersections(&self) -> u32 {
+        measure::intersections(&self.cloth)
     }
 
     fn state(&self) -> State {

@@ -1,9 +1,10 @@
 //! The solver that a scene asks for while the program runs.
 
 use std::boxed::Box;
+use std::format;
 
 use super::choice::SolverKind;
-use super::description::Description;
+use super::description::{Description, SelfContact};
 use super::error::SceneError;
 use super::fit::Fit;
 use crate::cloth::Cloth;
@@ -14,6 +15,7 @@ use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::rest::{self, Threshold};
 use crate::scalar::Scalar;
+use crate::self_contact::{self, Law, Near, THINNEST, Thickness};
 use crate::solver::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Physics, Solver, Stateless, Verlet, Xpbd};
 use crate::units::Units;
 
@@ -97,26 +99,84 @@ impl<S: Scalar> Solver<S> for AnySolver {
     }
 }
 
+/// One of the core's solvers for a sheet that may meet itself.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Layered<S: Scalar> {
+    solver: AnySolver,
+    own: Option<Law<S>>,
+}
+
+/// The memory of [`Layered`]. Which parts of the sheet may meet is on the heap, if it may.
+pub(super) struct LayeredMemory<S: Scalar, L: Links<S>, const W: usize, const H: usize> {
+    solver: Memory<S, L, W, H>,
+    near: Option<Box<Near<W, H>>>,
+}
+
+impl<S: Scalar, L: Links<S>, const W: usize, const H: usize> LayeredMemory<S, L, W, H> {
+    /// How many pairs of particles met at once in the last frame.
+    pub(super) fn contacts(&self) -> Option<u32> {
+        self.near.as_ref().map(|near| near.contacts)
+    }
+}
+
+impl<S: Scalar> Layered<S> {
+    fn new(scene: &Description, units: &Units) -> Result<Self, SceneError> {
+        let own = scene.self_contact.map(|own| law(own, units)).transpose()?;
+        Ok(Self { solver: AnySolver::new::<S>(scene)?, own })
+    }
+}
+
+fn law<S: Scalar>(SelfContact { thickness, friction }: SelfContact, units: &Units) -> Result<Law<S>, SceneError> {
+    let thickness = thickness.unwrap_or(units.cell);
+    let [least, most] = [THINNEST * units.cell, units.cell];
+    if thickness < (1.0 - 1e-9) * least || thickness > (1.0 + 1e-9) * most {
+        let bounds = format!("must be {least} to {most}, 0.75 to 1 of a cell's longer side, is {thickness}");
+        return Err(SceneError::new("self.thickness", bounds));
+    }
+    Fit::<S>::constant("self.friction", [friction])?;
+    Ok(Law::new(Thickness::new(units, thickness.clamp(least, most)), friction))
+}
+
+impl<S: Scalar> Solver<S> for Layered<S> {
+    type Memory<L: Links<S>, const W: usize, const H: usize> = LayeredMemory<S, L, W, H>;
+
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
+        LayeredMemory { solver: self.solver.memory(), near: self.own.map(|_| Box::new(Near::NONE)) }
+    }
+
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        particles: &mut Particles<S, W, H>,
+        memory: &mut Self::Memory<L, W, H>,
+        moment: Moment,
+    ) {
+        let LayeredMemory { solver, near } = memory;
+        let own = self.own.as_ref().zip(near.as_deref_mut());
+        self_contact::substep(own, &self.solver, physics, particles, solver, moment);
+    }
+}
+
 /// One of the core's solvers, which may rest.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SceneSolver {
-    solver: AnySolver,
+pub(super) struct SceneSolver<S: Scalar> {
+    solver: Layered<S>,
     rest: Option<Threshold>,
 }
 
-impl SceneSolver {
-    pub(super) fn new<S: Scalar>(scene: &Description, units: &Units) -> Result<Self, SceneError> {
+impl<S: Scalar> SceneSolver<S> {
+    pub(super) fn new(scene: &Description, units: &Units) -> Result<Self, SceneError> {
         let rest = scene.rest.map(|stillness| Threshold::new(units, stillness));
         if let Some(Threshold { speed, change, .. }) = rest {
             Fit::<S>::number("rest.speed", speed)?;
             Fit::<S>::number("rest.acceleration", change)?;
         }
-        Ok(Self { solver: AnySolver::new::<S>(scene)?, rest })
+        Ok(Self { solver: Layered::new(scene, units)?, rest })
     }
 }
 
-impl<S: Scalar> Solver<S> for SceneSolver {
-    type Memory<L: Links<S>, const W: usize, const H: usize> = rest::Memory<Memory<S, L, W, H>, S, W, H>;
+impl<S: Scalar> Solver<S> for SceneSolver<S> {
+    type Memory<L: Links<S>, const W: usize, const H: usize> = rest::Memory<LayeredMemory<S, L, W, H>, S, W, H>;
 
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         rest::Memory::new(self.solver.memory())

@@ -282,6 +282,11 @@ impl<K: Kernel> Scalar for Fixed24<K> {
     }
 
     #[inline]
+    fn coarse(self) -> i32 {
+        self.to_bits() >> 16
+    }
+
+    #[inline]
     fn panel(pressure: Self, area: Self) -> Panel {
         Panel::new(pressure.to_bits(), area.to_bits())
     }

@@ -100,6 +100,10 @@ macro_rules! float {
                 $floor(self * factor as Self + 0.5) as i32
             }
             #[inline]
+            fn coarse(self) -> i32 {
+                (self * 256.0) as i32
+            }
+            #[inline]
             fn direction([x, y, z]: [Self; 3], rest: &Rest<Self>) -> (Self, [Self; 3]) {
                 let length = $sqrt(Scalar::max(x * x + y * y + z * z, $tiny));
                 let inverse = 1.0 / length;

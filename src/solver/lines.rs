@@ -253,7 +253,7 @@ impl Lines {
         let budget = self.budget(split, memory.kept);
 
         // what friction looks back to
-        let start = colliders.is_present().then_some(particles.position);
+        let start = (colliders.is_present() || colliders.meets()).then_some(particles.position);
         predict::predict(forces, particles, memory, moment, split);
         let Memory { earlier, tension, pull, history, .. } = memory;
         let viscous = Viscous::damp(pull.as_mut(), *history, links, particles, &rule);

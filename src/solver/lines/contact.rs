@@ -7,7 +7,8 @@
 //! A particle is moved out by its depth d and stopped, as far as an acceleration that moved it by d within a substep can have made it fast: by 2·d/h. What
 //! comes in faster needs a substep or two, and none is thrown back. Friction is Coulomb's, of displacements and of velocities.
 
-use crate::collider::{Collider, Contact, friction_limited, touch};
+use crate::collider::{Collider, Contact, Meeting, friction_limited, shared, touch};
+use crate::grid::Node;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
@@ -29,6 +30,10 @@ impl<S: Scalar, C: Collider<S>, const W: usize, const H: usize> Contacts<'_, S, 
     #[inline(always)]
     pub(super) fn resolve(&mut self, particles: &mut Particles<S, W, H>, aside: bool) {
         if let Some(start) = self.start {
+            if self.colliders.meets() {
+                let earlier = &mut *self.earlier;
+                self.colliders.meet(particles, &mut TwoStep { start, earlier, moment: self.moment, aside });
+            }
             resolve(self.colliders, particles, start, self.earlier, self.moment, aside);
         }
     }
@@ -63,6 +68,47 @@ fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
             earlier.add(node, by);
         },
     );
+}
+
+/// Particles that meet each other, as they meet a surface: each has its share of what happens to their relative motion.
+struct TwoStep<'a, S, const W: usize, const H: usize> {
+    start: &'a Vectors<S, W, H>,
+    earlier: &'a mut Vectors<S, W, H>,
+    moment: Moment,
+    aside: bool,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Meeting<S, W, H> for TwoStep<'_, S, W, H> {
+    fn moment(&self) -> Moment {
+        self.moment
+    }
+
+    #[inline(always)]
+    fn moved(&self, particles: &Particles<S, W, H>, node: Node) -> Vec3<S> {
+        particles.position.at(node) - self.start.at(node)
+    }
+
+    fn separate(&mut self, particles: &mut Particles<S, W, H>, [i, j]: [Node; 2], contact: &Contact<S>) {
+        let share = |position: Vec3<S>| {
+            if self.aside && !S::FLOATS { position.map(|x| self.moment.share(x)) } else { Vec3::ZERO }
+        };
+        let masses = [i, j].map(|node| particles.inverse_mass[node]);
+        let [velocity, surface] = [i, j].map(|node| particles.velocity.at(node) + share(particles.position.at(node)));
+        let [to_i, to_j] = shared(contact.by, masses);
+        // backward Euler looks back to no history
+        let gain = if self.moment.halves == 2 {
+            self.moment.velocity(contact.by)
+        } else {
+            impulse(&Contact { velocity: surface, ..*contact }, velocity, self.moment)
+        };
+        let [gain_i, gain_j] = shared(gain, masses);
+        for (node, velocity, to, gain) in [(i, velocity, to_i, gain_i), (j, surface, -to_j, -gain_j)] {
+            let position = particles.position.at(node) + to;
+            particles.position.set(node, position);
+            particles.velocity.set(node, velocity + gain - share(position));
+            self.earlier.add(node, gain);
+        }
+    }
 }
 
 /// By how much a contact changes a velocity.

@@ -1,0 +1,130 @@
+//! Where a sheet passes through itself.
+
+use crate::grid::Node;
+use crate::particles::Particles;
+use crate::scalar::Scalar;
+
+/// Parts of a cell in which places are counted: what fixed point holds is exact, and so are the signs below.
+const PARTS: f64 = 16_777_216.0;
+
+/// Further from the origin, cells, places count as that far.
+const FAR: f64 = 8192.0;
+
+type Place = [i64; 3];
+
+/// How many pairs there are of an edge and a triangle of the sheet that pass through each other. Cells are two triangles each, whose edges are those along rows and columns
+/// and the diagonals between; what has a corner in common is no pair. Every pair is looked at, by the signs of volumes in whole numbers.
+pub fn intersections<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>) -> u32 {
+    // what is undefined is nowhere
+    let place = |node: Node| particles.position.at(node).to_f64().map(|x| (x.clamp(-FAR, FAR) * PARTS) as i64);
+    count(&place, [W, H])
+}
+
+/// The same for a grid of any size: compiled once.
+fn count(place: &dyn Fn(Node) -> Place, [columns, rows]: [usize; 2]) -> u32 {
+    let mut count = 0;
+    for row in 1..rows {
+        for column in 1..columns {
+            let corner = |left, up| Node { column: column - left, row: row - up };
+            for nodes in [[corner(1, 1), corner(0, 1), corner(1, 0)], [corner(0, 1), corner(0, 0), corner(1, 0)]] {
+                let triangle = nodes.map(place);
+                let around = bounds(&triangle);
+                each_edge([columns, rows], |edge| {
+                    if edge.iter().any(|node| nodes.contains(node)) {
+                        return;
+                    }
+                    let edge = edge.map(place);
+                    if meet(around, bounds(&edge)) && passes_through(edge, triangle) {
+                        count += 1;
+                    }
+                });
+            }
+        }
+    }
+    count
+}
+
+fn each_edge([columns, rows]: [usize; 2], mut visit: impl FnMut([Node; 2])) {
+    for row in 0..rows {
+        for column in 0..columns {
+            let node = |right, down| Node { column: column + right, row: row + down };
+            let (right, down) = (column + 1 < columns, row + 1 < rows);
+            if right {
+                visit([node(0, 0), node(1, 0)]);
+            }
+            if down {
+                visit([node(0, 0), node(0, 1)]);
+            }
+            if right && down {
+                visit([node(1, 0), node(0, 1)]);
+            }
+        }
+    }
+}
+
+fn bounds(places: &[Place]) -> [Place; 2] {
+    let fold = |choose: fn(i64, i64) -> i64| {
+        core::array::from_fn(|axis| places.iter().map(|place| place[axis]).reduce(choose).unwrap_or(0))
+    };
+    [fold(i64::min), fold(i64::max)]
+}
+
+fn meet([low, high]: [Place; 2], [other_low, other_high]: [Place; 2]) -> bool {
+    (0..3).all(|axis| low[axis] <= other_high[axis] && other_low[axis] <= high[axis])
+}
+
+/// Whether an edge passes through the inside of a triangle.
+fn passes_through([p, q]: [Place; 2], [a, b, c]: [Place; 3]) -> bool {
+    side(a, b, c, p) * side(a, b, c, q) < 0 && {
+        let sides = [side(p, q, a, b), side(p, q, b, c), side(p, q, c, a)];
+        sides == [1; 3] || sides == [-1; 3]
+    }
+}
+
+/// On which side of the triangle a, b, c a place is: 1, −1, or 0 in its plane.
+fn side(a: Place, b: Place, c: Place, p: Place) -> i32 {
+    let from = |x: Place| -> [i128; 3] { core::array::from_fn(|axis| i128::from(x[axis] - a[axis])) };
+    let ([bx, by, bz], [cx, cy, cz], [px, py, pz]) = (from(b), from(c), from(p));
+    let volume = px * (by * cz - bz * cy) + py * (bz * cx - bx * cz) + pz * (bx * cy - by * cx);
+    volume.signum() as i32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cloth::Cloth;
+    use crate::units::Units;
+    use crate::vec3::Vec3;
+
+    const UNITS: Units = Units::sheet([6, 3], [5.0, 2.0], 1.0, 0.1, 1);
+
+    #[test]
+    fn a_strip_that_is_bent_through_itself_is_counted() {
+        let mut strip = Cloth::<f64, 6, 3>::lay(&UNITS, UNITS.point([0.0; 3]));
+        assert_eq!(intersections(&strip), 0);
+        // the end goes back, and down through the middle of the second row of cells
+        for row in 0..3 {
+            let y = row as f64;
+            let at = |x: f64, z: f64| Vec3::from_f64([x, y + 0.25, z]);
+            strip.position.set(Node::new(4, row), at(1.4, 1.0));
+            strip.position.set(Node::new(5, row), at(1.4, -0.5));
+        }
+        // three edges down the strip and two diagonals go through it, and of the strip's own edges none through the end: those lie beside it
+        let down = intersections(&strip);
+        assert!(down >= 4, "{down}");
+        for row in 0..3 {
+            strip.position.add(Node::new(5, row), Vec3::from_f64([0.0, 0.0, 0.75]));
+        }
+        assert_eq!(intersections(&strip), 0);
+    }
+
+    #[test]
+    fn an_edge_passes_through_a_triangle_or_beside_it() {
+        let triangle = [[0, 0, 0], [4, 0, 0], [0, 4, 0]];
+        assert!(passes_through([[1, 1, -1], [1, 1, 1]], triangle));
+        assert!(passes_through([[1, 1, 1], [1, 1, -1]], triangle));
+        for edge in [[[3, 3, -1], [3, 3, 1]], [[1, 1, 1], [1, 1, 2]], [[1, 1, 0], [2, 1, 0]], [[0, 0, -1], [0, 0, 1]]] {
+            assert!(!passes_through(edge, triangle), "{edge:?}");
+        }
+    }
+}

@@ -1,0 +1,356 @@
+//! A sheet that meets itself.
+//!
+//! [`SelfContact`] is a solver around another one, which keeps particles that are no neighbours a thickness apart, as a collider keeps them from its surface. On a mesh of
+//! squares no particle passes through a cell and no edge through another one while the mesh is strained by less than d·√2 − 1 for a thickness of d cells: by 41 % for 1, by
+//! 6 % for 0.75.
+//!
+//! ```
+//! use kerchief::*;
+//!
+//! const SHEET: Sheet<Q24, 16, 16> = Sheet::new([0.3, 0.3], 1e-4, 1.0 / 60.0, 8);
+//! let mut cloth = SHEET.hang([0.0, 0.0, 0.31]);
+//! let forces = (SHEET.gravity([0.0, 0.0, -9.81]), SHEET.drag(1.0));
+//! let links = (SHEET.stretch(100.0), SHEET.shear(1.0), SHEET.bend(0.01));
+//! let ground = SHEET.plane([0.0; 3], [0.0, 0.0, 1.0], 0.01);
+//! // 2 cm thick, which is a cell
+//! let solver = SHEET.self_contact(0.02, 0.3, Lines::new());
+//! let scene = SHEET.scene(forces, links, ground, solver);
+//! let mut memory = scene.memory();
+//! (0..60).for_each(|_| scene.step(&mut cloth, &mut memory));
+//! assert!(measure::closest(&cloth, &SHEET.units) > 0.018);
+//! ```
+//!
+//! Which quads of particles may meet is found once in a frame, or more often where parts of the sheet are faster than two cells a frame, from boxes of whole numbers around
+//! them; where a part of a sheet is flat, nothing in it is looked at. In every substep, and between the sweeps of the line solver, the particles of these quads are
+//! looked at. It takes 6 bytes a particle, and nothing where it is not named.
+//!
+//! A sheet that rests is wrapped once more: `Resting` around `SelfContact`, not the other way round.
+
+mod extent;
+mod meet;
+mod near;
+mod sweep;
+mod tiling;
+
+use core::cell::Cell;
+
+use crate::collider::{Collider, Contact, Meeting};
+use crate::fingerprint::Fingerprint;
+use crate::force::Force;
+use crate::grid::Node;
+use crate::link::Links;
+use crate::moment::Moment;
+use crate::particles::Particles;
+use crate::scalar::fit::{is_finite, is_not_negative};
+use crate::scalar::{Rest, Scalar};
+use crate::solver::{Physics, Solver};
+use crate::units::Units;
+use crate::vec3::Vec3;
+
+use extent::Flatness;
+use near::List;
+
+pub(crate) use near::Near;
+
+/// The least thickness of a sheet, in the longer side of its cells; the most is 1.
+pub(crate) const THINNEST: f64 = 0.75;
+
+/// By how much two particles may miss the places to which they were going while a list of pairs lasts, together, cells: so much at least, more by what they differ in speed, and
+/// so much at most.
+const STRAY: [f64; 2] = [0.2, 0.5];
+
+/// A sheet's thickness, which [`Thickness::new`] has found to be possible.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thickness {
+    cells: f64,
+    sides: [f64; 2],
+}
+
+impl Thickness {
+    /// A thickness in m: three quarters of a cell's longer side to the whole of it.
+    ///
+    /// # Panics
+    /// At compile time in a constant: for any other thickness.
+    #[track_caller]
+    pub const fn new(units: &Units, metres: f64) -> Self {
+        let cells = metres / units.cell;
+        // what is rounded in metres is no other thickness
+        assert!(
+            cells >= THINNEST - 1e-9 && cells <= 1.0 + 1e-9,
+            "a sheet that meets itself is between 0.75 and 1 times as thick as a cell's longer side"
+        );
+        Self { cells, sides: units.sides }
+    }
+}
+
+/// A solver around another one, for a sheet that meets itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SelfContact<S: Scalar, V> {
+    /// What moves the sheet.
+    pub solver: V,
+    law: Law<S>,
+}
+
+impl<S: Scalar, V> SelfContact<S, V> {
+    /// A sheet of this thickness that slides on itself with a coefficient of `friction`, moved by `solver`.
+    ///
+    /// # Panics
+    /// For a friction that is negative, not finite or beyond the number type.
+    #[track_caller]
+    pub fn new(thickness: Thickness, friction: f64, solver: V) -> Self {
+        Self { solver, law: Law::new(thickness, friction) }
+    }
+}
+
+/// What happens where particles meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Law<S: Scalar> {
+    /// How far apart they keep.
+    rest: Rest<S>,
+    friction: S,
+    /// Nearer than so many columns and rows they are neighbours, which links hold.
+    neighbours: [usize; 2],
+    /// The thickness in coarse numbers, rounded up.
+    coarse: i32,
+    flatness: Flatness,
+    /// The most pairs of tiles that are kept. With fewer nothing changes but the time it takes.
+    room: usize,
+}
+
+impl<S: Scalar> Law<S> {
+    #[track_caller]
+    pub(crate) fn new(Thickness { cells, sides }: Thickness, friction: f64) -> Self {
+        assert!(is_finite(friction) && is_not_negative(friction), "a coefficient of friction is finite, zero or above");
+        let neighbours = sides.map(|side| apart(side, cells));
+        Self {
+            rest: Rest::spanning(S::from_f64(cells), S::ZERO),
+            friction: S::from_f64(friction),
+            neighbours,
+            coarse: (256.0 * cells) as i32 + 1,
+            flatness: Flatness::new(sides, neighbours),
+            room: usize::MAX,
+        }
+    }
+
+    /// Whether links hold two particles together.
+    #[inline(always)]
+    fn joins(&self, i: Node, j: Node) -> bool {
+        i.column.abs_diff(j.column) < self.neighbours[0] && i.row.abs_diff(j.row) < self.neighbours[1]
+    }
+
+    /// From where on particles that differ in speed by so much in a tick need not be watched, in coarse numbers.
+    fn watch(&self, spread: S) -> i32 {
+        let [least, most] = STRAY.map(|cells| (256.0 * cells) as i32);
+        self.coarse + spread.coarse().saturating_add(least).min(most)
+    }
+
+    /// By how much particles are moved apart in a substep that did not come together in it.
+    fn slow(&self, shift: u32) -> S {
+        let d = self.rest.length;
+        if shift > 0 { d.halve(shift - 1) } else { d }
+    }
+}
+
+/// From how many cells of a side on particles are apart at rest by more than the thickness and a quarter, so that nothing pushes where the sheet is compressed a little.
+/// Along a side without length none ever are.
+const fn apart(side: f64, thickness: f64) -> usize {
+    let mut cells = 2;
+    while cells < 1 << 15 && cells as f64 * side < 1.25 * thickness {
+        cells += 1;
+    }
+    cells
+}
+
+/// What a solver remembers, and which parts of its sheet may meet.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Memory<M, const W: usize, const H: usize> {
+    solver: M,
+    // found anew in every frame
+    #[cfg_attr(feature = "serde", serde(skip, default = "nothing"))]
+    near: Near<W, H>,
+}
+
+#[cfg(feature = "serde")]
+const fn nothing<const W: usize, const H: usize>() -> Near<W, H> {
+    Near::NONE
+}
+
+impl<M, const W: usize, const H: usize> Memory<M, W, H> {
+    /// What the solver remembers.
+    pub const fn solver(&mut self) -> &mut M {
+        &mut self.solver
+    }
+
+    /// How many pairs of particles met at once in the last frame, at most.
+    pub const fn contacts(&self) -> u32 {
+        self.near.contacts
+    }
+}
+
+impl<S: Scalar, V: Solver<S>> Solver<S> for SelfContact<S, V> {
+    type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<V::Memory<L, W, H>, W, H>;
+
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
+        Memory { solver: self.solver.memory(), near: Near::NONE }
+    }
+
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        particles: &mut Particles<S, W, H>,
+        memory: &mut Self::Memory<L, W, H>,
+        moment: Moment,
+    ) {
+        let Memory { solver, near } = memory;
+        substep(Some((&self.law, near)), &self.solver, physics, particles, solver, moment);
+    }
+}
+
+/// Moves particles by a substep of `solver`, and keeps them apart where there is a law.
+#[inline(always)]
+pub(crate) fn substep<
+    S: Scalar,
+    V: Solver<S>,
+    F: Force<S>,
+    L: Links<S>,
+    C: Collider<S>,
+    const W: usize,
+    const H: usize,
+>(
+    mut own: Option<(&Law<S>, &mut Near<W, H>)>,
+    solver: &V,
+    physics: Physics<'_, F, L, C>,
+    particles: &mut Particles<S, W, H>,
+    memory: &mut V::Memory<L, W, H>,
+    moment: Moment,
+) {
+    let Physics { forces, links, colliders } = physics;
+    let contacts = Cell::new(0);
+    let layers = own.as_mut().map(|(law, near)| {
+        near.follow(particles, law, moment);
+        Layers { law, list: near.list(), contacts: &contacts }
+    });
+    let colliders = &Beside { layers, colliders };
+    solver.substep(Physics { forces, links, colliders }, particles, memory, moment);
+    if let Some((_, near)) = own {
+        near.contacts = near.contacts.max(contacts.get());
+    }
+}
+
+/// The other parts of a sheet.
+#[derive(Clone, Copy)]
+struct Layers<'a, S: Scalar> {
+    law: &'a Law<S>,
+    list: List<'a>,
+    /// How many pairs of particles met at once.
+    contacts: &'a Cell<u32>,
+}
+
+/// The other parts of the sheet, if it meets itself, beside all else that is in its way.
+#[derive(Clone, Copy)]
+struct Beside<'a, S: Scalar, C> {
+    layers: Option<Layers<'a, S>>,
+    colliders: &'a C,
+}
+
+impl<S: Scalar, C: Collider<S>> Collider<S> for Beside<'_, S, C> {
+    #[inline]
+    fn is_present(&self) -> bool {
+        self.colliders.is_present()
+    }
+
+    #[inline]
+    fn meets(&self) -> bool {
+        self.layers.is_some_and(|layers| !layers.list.is_empty()) || self.colliders.meets()
+    }
+
+    #[inline]
+    fn meet<const W: usize, const H: usize>(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        meeting: &mut impl Meeting<S, W, H>,
+    ) {
+        if let Some(Layers { law, list, contacts }) = self.layers {
+            contacts.set(contacts.get().max(meet::meet(law, list, particles, meeting)));
+        }
+        self.colliders.meet(particles, meeting);
+    }
+
+    #[inline]
+    fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>> {
+        self.colliders.contact(moment, position, moved)
+    }
+
+    #[inline]
+    fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
+        self.colliders.reaches(moment, low, high)
+    }
+
+    #[inline]
+    fn fingerprint(&self, print: &mut Fingerprint) {
+        self.colliders.fingerprint(print);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Grid;
+    use crate::scalar::{Q13, Q24};
+    use crate::sheet::Sheet;
+    use crate::solver::{Lines, Xpbd};
+
+    /// A sheet that falls in a heap has the same bits however few pairs are kept: with none, all pairs of particles are looked at in every substep.
+    fn any_room<S: Scalar, V: Solver<S> + Copy>(solver: V) {
+        const W: usize = 9;
+        const H: usize = 14;
+        let sheet = Sheet::<S, W, H>::new([0.24, 0.39], 1e-4, 1.0 / 60.0, 8);
+        let run = |room: usize| {
+            let mut cloth = sheet.hang([-0.12, 0.0, 0.42]);
+            for node in Grid::<S, W, H>::nodes() {
+                let sway = 0.3 * ((7 * node.column + 3 * node.row) as f64).sin();
+                cloth.velocity.set(node, Vec3::from_f64(sheet.units.velocity([0.0, sway, 0.0]).0));
+            }
+            let forces = (sheet.gravity([0.0, 0.0, -9.81]), sheet.drag(1.0));
+            let links = (sheet.stretch(100.0), sheet.shear(5.0), sheet.bend(0.05));
+            let ground = sheet.plane([0.0; 3], [0.0, 0.0, 1.0], 0.01);
+            let mut own = sheet.self_contact(0.03, 0.3, solver);
+            own.law.room = room;
+            let scene = sheet.scene(forces, links, ground, own);
+            let mut memory = scene.memory();
+            let mut met = 0;
+            for _ in 0..90 {
+                scene.step(&mut cloth, &mut memory);
+                met = met.max(memory.contacts());
+            }
+            assert!(met > 10, "{met} pairs met");
+            cloth
+        };
+        let all = run(usize::MAX);
+        for room in [0, 1, 7] {
+            assert!(run(room) == all, "room for {room} pairs, in {}", S::NAME);
+        }
+    }
+
+    #[test]
+    fn any_room_gives_the_same_bits() {
+        any_room::<f32, _>(Lines::new());
+        any_room::<Q24, _>(Lines::new());
+        any_room::<Q13, _>(Xpbd);
+        any_room::<f64, _>(Xpbd);
+    }
+
+    #[test]
+    #[should_panic(expected = "between 0.75 and 1 times as thick as a cell's longer side")]
+    fn no_other_thickness_is_possible() {
+        let sheet = Sheet::<f32, 4, 4>::new([0.3, 0.3], 1e-4, 1.0 / 60.0, 8);
+        let _ = sheet.self_contact(0.07, 0.0, Xpbd);
+    }
+
+    #[test]
+    fn particles_are_neighbours_up_to_a_thickness_and_a_quarter() {
+        assert_eq!([1.0, 0.7, 0.5, 0.2].map(|side| apart(side, 1.0)), [2, 2, 3, 7]);
+        assert_eq!(apart(0.0, 1.0), 1 << 15);
+    }
+}
