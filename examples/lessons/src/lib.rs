@@ -7,8 +7,11 @@ use std::{env, fs};
 
 use plotters::prelude::*;
 
-/// Width and height of a plot, pixels.
-const SIZE: (u32, u32) = (760, 480);
+/// Width and height of a plot, and the width of its legend, pixels.
+const SIZE: (u32, u32) = (840, 480);
+const LEGEND: i32 = 190;
+/// Width and height of the area between the axes, pixels.
+const AREA: (f64, f64) = (556.0, 385.0);
 const FONT: &str = "sans-serif";
 
 /// Colours that can be told apart by everyone (M. Okabe, K. Ito, *Color universal design*, 2008).
@@ -35,44 +38,51 @@ pub fn farthest(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     a.iter().zip(b).map(apart).fold(0.0, f64::max)
 }
 
-/// The shortest of two hundred times that some work takes, s.
+/// The shortest of twenty times that some work takes, s.
 pub fn shortest_time(mut work: impl FnMut()) -> f64 {
     let time = |_| {
         let start = Instant::now();
         work();
         start.elapsed().as_secs_f64()
     };
-    (0..200).map(time).fold(f64::MAX, f64::min)
+    (0..20).map(time).fold(f64::MAX, f64::min)
 }
 
-/// Where a curve is interrupted.
-pub const GAP: (f64, f64) = (f64::NAN, f64::NAN);
+/// A place where a curve is interrupted.
+pub const GAP: [f64; 3] = [f64::NAN; 3];
 
 /// Curves over two axes.
 #[derive(Clone, Debug)]
 pub struct Plot {
     title: &'static str,
     axes: [&'static str; 2],
-    powers: bool,
+    powers: [bool; 2],
+    one_scale: bool,
     curves: Vec<(String, Vec<(f64, f64)>)>,
 }
 
 impl Plot {
     /// A plot without a curve. The axes are named across and up.
     pub const fn new(title: &'static str, axes: [&'static str; 2]) -> Self {
-        Self { title, axes, powers: false, curves: Vec::new() }
+        Self { title, axes, powers: [false; 2], one_scale: false, curves: Vec::new() }
     }
 
-    /// Both axes in powers of ten.
+    /// Which of the axes, across and up, are in powers of ten.
     #[must_use]
-    pub fn in_powers_of_ten(self) -> Self {
-        Self { powers: true, ..self }
+    pub fn in_powers_of_ten(self, powers: [bool; 2]) -> Self {
+        Self { powers, ..self }
     }
 
-    /// Adds a curve. One without a name continues the colour of the last one and is not in the legend.
+    /// A metre across is as long as a metre up.
+    #[must_use]
+    pub fn at_one_scale(self) -> Self {
+        Self { one_scale: true, ..self }
+    }
+
+    /// Adds a curve, which is interrupted where a number is not finite.
     pub fn curve(&mut self, name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) {
-        let place = |x: f64| if self.powers { x.log10() } else { x };
-        let points = points.into_iter().map(|(x, y)| (place(x), place(y))).collect();
+        let [across, up] = self.powers.map(|powers| move |x: f64| if powers { x.log10() } else { x });
+        let points = points.into_iter().map(|(x, y)| (across(x), up(y))).collect();
         self.curves.push((name.into(), points));
     }
 
@@ -90,43 +100,38 @@ impl Plot {
     fn draw(&self, svg: &mut String) -> Result<(), Box<dyn Error>> {
         let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
         root.fill(&WHITE)?;
-        let mut chart = ChartBuilder::on(&root)
+        let (left, right) = root.split_horizontally(SIZE.0 as i32 - LEGEND);
+        let (mut across, mut up) = (self.range(|point| point.0), self.range(|point| point.1));
+        if self.one_scale {
+            let metre = (AREA.0 / (across.end - across.start)).min(AREA.1 / (up.end - up.start));
+            (across, up) = (widened(&across, AREA.0 / metre), widened(&up, AREA.1 / metre));
+        }
+        let mut chart = ChartBuilder::on(&left)
             .caption(self.title, (FONT, 19))
             .margin(12)
             .x_label_area_size(46)
             .y_label_area_size(70)
-            .build_cartesian_2d(self.range(|point| point.0), self.range(|point| point.1))?;
-        let label = |value: &f64| if self.powers { format!("{:.0e}", 10_f64.powf(*value)) } else { plain(*value) };
+            .build_cartesian_2d(across, up)?;
+        let [label_across, label_up] = self.powers.map(|powers| move |value: &f64| label(*value, powers));
         chart
             .configure_mesh()
             .x_desc(self.axes[0])
             .y_desc(self.axes[1])
-            .x_label_formatter(&label)
-            .y_label_formatter(&label)
+            .x_label_formatter(&label_across)
+            .y_label_formatter(&label_up)
             .label_style((FONT, 14))
             .axis_desc_style((FONT, 15))
             .light_line_style(TRANSPARENT)
             .draw()?;
-        let mut colour = COLOURS.iter().cycle();
-        let mut style = BLACK.stroke_width(2);
-        for (name, points) in &self.curves {
-            if !name.is_empty() {
-                style = colour.next().unwrap_or(&BLACK).stroke_width(2);
+        let mut height = 56;
+        for ((name, points), colour) in self.curves.iter().zip(COLOURS.iter().cycle()) {
+            for piece in points.split(|point| !(point.0 + point.1).is_finite()) {
+                chart.draw_series(LineSeries::new(piece.iter().copied(), colour.stroke_width(2)))?;
             }
-            for (index, piece) in points.split(|point| !(point.0 + point.1).is_finite()).enumerate() {
-                let drawn = chart.draw_series(LineSeries::new(piece.iter().copied(), style))?;
-                if index == 0 && !name.is_empty() {
-                    drawn.label(name).legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style));
-                }
-            }
+            right.draw(&PathElement::new([(0, height), (22, height)], colour.stroke_width(2)))?;
+            right.draw(&Text::new(name.as_str(), (28, height - 6), (FONT, 14)))?;
+            height += 22;
         }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
-            .background_style(WHITE.mix(0.85))
-            .border_style(RGBColor(200, 200, 200))
-            .label_font((FONT, 14))
-            .draw()?;
         root.present()?;
         Ok(())
     }
@@ -140,7 +145,13 @@ impl Plot {
     }
 }
 
-/// A number without what adding up has left in its last places.
-fn plain(value: f64) -> String {
-    format!("{}", (value * 1e6).round() / 1e6 + 0.0)
+/// A range of this length with the same middle.
+fn widened(range: &Range<f64>, length: f64) -> Range<f64> {
+    let middle = 0.5 * (range.start + range.end);
+    middle - 0.5 * length..middle + 0.5 * length
+}
+
+/// A place on an axis as a number, without what adding up has left in its last places.
+fn label(place: f64, powers: bool) -> String {
+    if powers { format!("{:.0e}", 10_f64.powf(place)) } else { format!("{}", (place * 1e6).round() / 1e6 + 0.0) }
 }

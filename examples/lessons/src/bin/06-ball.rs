@@ -1,7 +1,5 @@
 //! When does cloth slide? `cargo run --release -p lessons --bin 06-ball [-- FRICTION]`.
 
-use std::f64::consts::PI;
-
 use kerchief::{Lines, Node, Sheet};
 use lessons::{Plot, argument};
 
@@ -19,13 +17,13 @@ fn slid(slope: f64, friction: f64) -> f64 {
     SHEET.metres(cloth.position.at(Node::new(0, 0)))[0]
 }
 
-/// Where the particles are of a sheet that fell on a ball 1.5 s ago, 2 cm beside its middle, m.
+/// Where the particles are of a sheet that fell on a ball 0.6 s ago, 2 cm beside its middle, m.
 fn draped(margin: f64, friction: f64) -> Vec<[f64; 3]> {
     let forces = (SHEET.gravity([0.0, 0.0, -9.81]), SHEET.drag(1.0));
     let ball = SHEET.ball([0.0, 0.0, -RADIUS - margin], RADIUS, margin).with_friction(friction);
-    let scene = SHEET.scene(forces, (SHEET.stretch(100.0), SHEET.shear(1.0), SHEET.bend(0.1)), ball, Lines::new());
+    let scene = SHEET.scene(forces, (SHEET.stretch(1000.0), SHEET.shear(5.0), SHEET.bend(0.5)), ball, Lines::new());
     let (mut cloth, mut memory) = (SHEET.lay([-0.28, -0.3, 0.0]), scene.memory());
-    (0..90).for_each(|_| scene.step(&mut cloth, &mut memory));
+    (0..36).for_each(|_| scene.step(&mut cloth, &mut memory));
     cloth.position.values().map(|at| SHEET.metres(at)).collect()
 }
 
@@ -37,9 +35,7 @@ fn main() {
     });
     let [found, law] = [slides, friction.atan()].map(f64::to_degrees);
     println!("friction {friction}: slides from {found:.2} degrees on, by Coulomb's law from {law:.2}");
-
-    // at which margin the middle of a link touches the ball between ends 4 cm apart
-    let needed = RADIUS.hypot(0.02) - RADIUS;
+    let needed = RADIUS.hypot(0.02) - RADIUS; // so far from the ball are ends 4 cm apart whose middle touches it
     println!("\nmargin, mm   nearest particle, mm   nearest middle of a link, mm");
     for margin in [0.0, needed] {
         let places = draped(margin, friction);
@@ -50,10 +46,10 @@ fn main() {
         let link = links.map(|ends| gap(middle(ends))).fold(f64::MAX, f64::min);
         println!("{:10.3} {nearest:22.3} {link:30.3}", 1e3 * margin);
     }
-    println!("\nfriction   the middle of the sheet after 1.5 s: x, z, m");
-    let mut plot = Plot::new("A sheet on a ball, cut through the middle", ["x, m", "z, m"]);
-    let circle = (0..=100).map(|k| (0.02 * PI * f64::from(k)).sin_cos());
-    plot.curve("ball", circle.map(|(sin, cos)| (RADIUS * sin, RADIUS * (cos - 1.0))));
+    println!("\nfriction   the middle of the sheet after 0.6 s: x, z, m");
+    let mut plot = Plot::new("A sheet on a ball, cut through the middle", ["x, m", "z, m"]).at_one_scale();
+    let circle = (0..=63).map(|k| (0.1 * f64::from(k)).sin_cos());
+    plot.curve("ball", circle.map(|(x, z)| (RADIUS * x, RADIUS * (z - 1.0))));
     for friction in [0.0, 0.1, friction] {
         let row = &draped(needed, friction)[SIDE * (SIDE / 2)..][..SIDE];
         println!("{friction:8} {:9.3} {:7.3}", row[SIDE / 2][0], row[SIDE / 2][2]);

@@ -5,16 +5,13 @@ use std::hint::black_box;
 use kerchief::{Drag, Lines, Node, Q13, Q24, Scalar, Sheet, Vec3, Vectors, Xpbd, measure};
 use lessons::{Plot, argument, farthest, shortest_time};
 
-const SIDE: usize = 64;
-
 /// The scene `dragged` of the digests that boards compute, too.
 fn digest<S: Scalar>() -> u32 {
     let sheet = Sheet::<S, 10, 10>::new([0.75, 0.6], 5e-4, 1.5 / 60.0, 3);
     let forces = (sheet.gravity([0.0, 0.0, -9.81]), Drag::new(sheet.units.verlet_damping(0.02)));
     let scene = sheet.scene(forces, (sheet.stretch(40.0), sheet.shear(8.0), sheet.bend(2.0)), (), Xpbd::new());
     let (mut cloth, mut memory) = (sheet.lay([-0.4, -0.3, 0.0]), scene.memory());
-    cloth.pin(Node::new(0, 0));
-    cloth.pin(Node::new(9, 0));
+    [0, 9].iter().for_each(|&column| cloth.pin(Node::new(column, 0)));
     (0..8).for_each(|_| scene.step(&mut cloth, &mut memory));
     measure::digest(&cloth)
 }
@@ -38,27 +35,26 @@ fn flag(wind: f64, places: f32) -> Vec<Vec<[f64; 3]>> {
 fn main() {
     let [a, b, c] = [0.1_f32, 0.7, -0.8].map(black_box);
     println!("(a + b) + c = {:e}, a + (b + c) = {:e}", (a + b) + c, a + (b + c));
-    println!("a b + c, rounded twice {:e}, rounded once {:e}", a * b + c, a.mul_add(b, c));
+    println!("a b - fl(a b), rounded twice {:e}, rounded once {:e}", a * b - black_box(a * b), a.mul_add(b, -(a * b)));
     let [f32, f64, q24, q13] = [digest::<f32>(), digest::<f64>(), digest::<Q24>(), digest::<Q13>()];
     println!("digests: f32 {f32:08x}, f64 {f64:08x}, q24 {q24:08x}, q13 {q13:08x}");
 
     let both = flag(argument(6.0), 0.0).into_iter().zip(flag(argument(6.0), 1.0));
     let apart: Vec<_> = (1..).zip(both).map(|(frame, (a, b))| (f64::from(frame) / 60.0, farthest(&a, &b))).collect();
     println!("two flags a last place apart: {:.0e} m after 1 s, {:.0e} m after 5 s", apart[59].1, apart[299].1);
-    let mut plot = Plot::new("Two flags a last place apart", ["time, s", "largest distance, m"]).in_powers_of_ten();
+    let axes = ["time, s", "largest distance, m"];
+    let mut plot = Plot::new("Two flags a last place apart", axes).in_powers_of_ten([false, true]);
     plot.curve("f32, in wind", apart);
     plot.write("10-same-bits");
 
     let start = [Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.1, -0.2, 0.3)];
-    let mut objects = vec![start; SIDE * SIDE];
-    let [mut position, velocity] = start.map(Vectors::<f32, SIDE, SIDE>::filled);
+    let mut objects = vec![start; 64 * 64];
+    let [mut position, velocity] = start.map(Vectors::<f32, 64, 64>::filled);
     let by_object = shortest_time(|| black_box(&mut objects).iter_mut().for_each(|[x, v]| *x += *v * 0.125));
     let by_row = shortest_time(|| {
-        for (x, v) in black_box(&mut position).0.iter_mut().zip(&black_box(&velocity).0) {
-            (0..SIDE).for_each(|column| x.add(column, v.at(column) * 0.125));
-        }
+        let rows = black_box(&mut position).0.iter_mut().zip(&velocity.0);
+        rows.for_each(|(x, v)| (0..64).for_each(|column| x.add(column, v.at(column) * 0.125)));
     });
-    let equal = objects.iter().zip(position.values()).all(|([x, _], y)| *x == y);
-    println!("the same bits in both layouts: {equal}");
+    println!("the same bits in both layouts: {}", objects.iter().zip(position.values()).all(|([x, _], y)| *x == y));
     println!("wall time, objects / rows: {:.1}", by_object / by_row);
 }

@@ -4,6 +4,7 @@
 
 use std::fs;
 use std::ops::Range;
+use std::thread;
 
 use crate::program::{LESSONS, read, root, run};
 
@@ -40,31 +41,38 @@ fn compared(text: &str) -> Vec<&str> {
 
 #[test]
 fn pages_say_what_programs_print() {
+    let pages = LESSONS.map(|(lesson, _)| lesson).into_iter().chain(["teachers"]);
+    let wrong: Vec<_> = thread::scope(|scope| {
+        let checks: Vec<_> = pages.map(|name| scope.spawn(move || differences(name))).collect();
+        checks.into_iter().flat_map(|check| check.join().expect("programs run")).collect()
+    });
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Where a page says or shows something else than the programs do. It is mended if that is asked for.
+fn differences(name: &str) -> Vec<String> {
+    let file = format!("docs/lessons/{name}.md");
+    let (mut page, mut wrong) = (read(&file), Vec::new());
     let update = std::env::var_os("UPDATE_LESSONS").is_some();
-    let mut wrong = Vec::new();
-    for name in LESSONS.map(|(lesson, _)| lesson).into_iter().chain(["teachers"]) {
-        let file = format!("docs/lessons/{name}.md");
-        let mut page = read(&file);
-        // from the last one on, so that places stay
-        for Run { lesson, arguments, printed } in runs(&page).into_iter().rev() {
-            let (found, plot) = run(&lesson, &arguments.iter().map(String::as_str).collect::<Vec<_>>());
-            if compared(&page[printed.clone()]) != compared(&found) {
-                wrong.push(format!("{file}, {lesson} {arguments:?}: the program prints\n{found}"));
-                page.replace_range(printed, &found);
-            }
-            let picture = format!("docs/lessons/{lesson}.svg");
-            if arguments.is_empty() && fs::read_to_string(root().join(&picture)).ok().as_ref() != Some(&plot) {
-                wrong.push(format!("{picture} is not what the program draws"));
-                if update {
-                    fs::write(root().join(&picture), plot).expect("the plot is written");
-                }
-            }
+    // from the last one on, so that places stay
+    for Run { lesson, arguments, printed } in runs(&page).into_iter().rev() {
+        let (found, plot) = run(&lesson, &arguments.iter().map(String::as_str).collect::<Vec<_>>());
+        if compared(&page[printed.clone()]) != compared(&found) {
+            wrong.push(format!("{file}, {lesson} {arguments:?}: the program prints\n{found}"));
+            page.replace_range(printed, &found);
         }
-        if update {
-            fs::write(root().join(&file), page).expect("the page is written");
+        let picture = format!("docs/lessons/{lesson}.svg");
+        if arguments.is_empty() && fs::read_to_string(root().join(&picture)).ok().as_ref() != Some(&plot) {
+            wrong.push(format!("{picture} is not what the program draws"));
+            if update {
+                fs::write(root().join(&picture), plot).expect("the plot is written");
+            }
         }
     }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    if update {
+        fs::write(root().join(&file), page).expect("the page is written");
+    }
+    wrong
 }
 
 #[test]

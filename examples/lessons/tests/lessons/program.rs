@@ -1,8 +1,10 @@
 //! The lessons' programs.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::{Arc, Mutex, OnceLock};
 
 /// The lessons, in their order, with their programs.
 pub(crate) const LESSONS: [(&str, &str); 10] = [
@@ -29,14 +31,23 @@ pub(crate) fn read(file: impl AsRef<Path>) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// Runs a lesson in a folder of its own: what it prints, and the plot that it writes.
+/// What a lesson prints, and the plot that it writes. With the same arguments it is run once, in a folder of its own.
 pub(crate) fn run(lesson: &str, arguments: &[&str]) -> (String, String) {
+    type Outcome = Arc<OnceLock<(String, String)>>;
+    static RUNS: Mutex<BTreeMap<String, Outcome>> = Mutex::new(BTreeMap::new());
+    let name = [&[lesson], arguments].concat().join("_");
+    let outcome = RUNS.lock().expect("no run fails in here").entry(name.clone()).or_default().clone();
+    outcome.get_or_init(|| run_in(&name, lesson, arguments)).clone()
+}
+
+fn run_in(folder: &str, lesson: &str, arguments: &[&str]) -> (String, String) {
     let program = LESSONS.iter().find(|(name, _)| *name == lesson).expect("a lesson").1;
-    let room = Path::new(env!("CARGO_TARGET_TMPDIR")).join([&[lesson], arguments].concat().join("_"));
-    fs::create_dir_all(&room).expect("a folder");
-    let output = Command::new(program).args(arguments).current_dir(&room).output().expect("the program runs");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    let output = Command::new(program).args(arguments).current_dir(&folder).output().expect("the program runs");
     assert!(output.status.success(), "{lesson} {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    let plot = fs::read_to_string(room.join(format!("out/lessons/{lesson}.svg"))).expect("the program writes its plot");
+    let plot = folder.join(format!("out/lessons/{lesson}.svg"));
+    let plot = fs::read_to_string(plot).expect("the program writes its plot");
     (String::from_utf8(output.stdout).expect("text"), plot)
 }
 

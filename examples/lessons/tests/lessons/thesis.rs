@@ -1,7 +1,6 @@
 //! The table of the thesis' equations and listings is whole: each row's items name it in their documentation, and so does its lesson.
 
 use std::fs;
-use std::path::Path;
 
 use crate::pages::links;
 use crate::program::{read, root};
@@ -86,33 +85,27 @@ fn items_and_lessons_name_their_numbers() {
 
 #[test]
 fn what_the_library_names_is_in_the_table() {
-    let number = |line: &str| {
-        let named = line.split_once("(thesis, ").map(|(_, rest)| rest.split(')').next().unwrap_or(rest).to_owned());
-        named
-            .into_iter()
-            .flat_map(|named| {
-                let words: Vec<_> = named.split([' ', ',', ';']).map(str::to_owned).collect();
-                words.into_iter().filter(|word| word.starts_with(|c: char| c.is_ascii_digit()))
-            })
-            .collect::<Vec<_>>()
-    };
     let mut folders = vec![root().join("src")];
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("a file").path()) {
             if entry.is_dir() {
                 folders.push(entry);
-            } else {
-                check(&entry, number);
+                continue;
+            }
+            for number in read(&entry).lines().flat_map(named) {
+                let is_known = NUMBERS.iter().any(|known| known.split(' ').any(|word| word == number));
+                assert!(is_known, "{}: {number} of the thesis is not in the table", entry.display());
             }
         }
     }
+}
 
-    fn check(file: &Path, numbers: impl Fn(&str) -> Vec<String>) {
-        for line in read(file).lines() {
-            for number in numbers(line) {
-                let known = NUMBERS.iter().any(|known| known.split(' ').any(|word| word == number));
-                assert!(known, "{}: {number} of the thesis is not in the table", file.display());
-            }
-        }
-    }
+/// The numbers of the thesis in a line of documentation.
+fn named(line: &str) -> Vec<String> {
+    let named = line.split_once("(thesis, ").map_or("", |(_, rest)| rest.split(')').next().unwrap_or(rest));
+    let words = named.split([' ', ',', ';']);
+    words
+        .filter(|word| word.starts_with(|c: char| c.is_ascii_digit()) && word.contains('.'))
+        .map(str::to_owned)
+        .collect()
 }
