@@ -33,7 +33,7 @@ fn operations(solver: impl Solver<Counted>) -> u64 {
 
 fn show<V: Solver<f64> + Solver<Counted> + Copy>(plot: &mut Plot, name: &str, solver: V, theory: f64) {
     let (step, course) = (argument(0.1), swing(solver, argument(0.1), 400));
-    println!("{name:15} {:17.4} {theory:11.4} {:12}", course[100].1, operations(solver));
+    println!("{name:15} {:17.4e} {theory:11.4e} {:12}", course[100].1, operations(solver));
     plot.curve(name, (0..).zip(course).map(|(k, (_, energy))| (f64::from(k) * step, energy.log10())));
 }
 

@@ -44,7 +44,7 @@ fn main() {
     println!("two flags a last place apart: {:.0e} m after 1 s, {:.0e} m after 5 s", apart[59].1, apart[299].1);
     let axes = ["time, s", "largest distance, m"];
     let mut plot = Plot::new("Two flags a last place apart", axes).in_powers_of_ten([false, true]);
-    plot.curve("f32, in wind", apart);
+    plot.curve(format!("wind of {} m/s", argument(6.0)), apart);
     plot.write("10-same-bits");
 
     let start = [Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.1, -0.2, 0.3)];
