@@ -32,7 +32,7 @@ fn threads(cloth: &Cloth<f64, SIDE, SIDE>, beside: f64) -> Vec<(f64, f64)> {
 fn main() {
     let (stretch, shear, bend) = (SHEET.stretch(1000.0), SHEET.shear(argument(20.0)), SHEET.bend(200.0));
     println!("energy, J           stretch     shear      bend");
-    for (name, cloth) in [
+    for (name, cloth) in vec![
         ("longer by 10 %", deformed(|[x, y, _]| [1.1 * x, y, 0.0])),
         ("skewed by 0.2 rad", deformed(|[x, y, _]| [x + y * 0.2_f64.sin(), y * 0.2_f64.cos(), 0.0])),
         ("folded upright", deformed(|[x, y, _]| [x.min(0.5), y, (x - 0.5).max(0.0)])),
@@ -46,7 +46,7 @@ fn main() {
     (0..6 * SIDE).for_each(|k| shelf.pin(Node::new(k % 6, k / 6)));
     println!("\nsettled                strain of threads   of diagonals   lowest, m");
     let mut plot = Plot::new("Hung by a corner; clamped as a shelf", ["x, m", "z, m"]).at_one_scale();
-    for (beside, name, cloth) in [
+    for (beside, name, cloth) in vec![
         (0.0, "hung: stretch", settled(hung, stretch)),
         (0.8, "hung: and shear", settled(hung, both)),
         (1.8, "shelf: both", settled(shelf, both)),

@@ -13,8 +13,7 @@ fn course<S: Scalar>(away: f64) -> Vec<Vec<[f64; 3]>> {
     let scene = sheet.scene((sheet.gravity([0.0, 0.0, -9.81]), sheet.drag(2.0)), links, (), Xpbd::new());
     let origin = [CELL * away; 3];
     let (mut cloth, mut memory) = (sheet.lay(origin), scene.memory());
-    cloth.pin(Node::new(0, 0));
-    cloth.pin(Node::new(SIDE - 1, 0));
+    [0, SIDE - 1].iter().for_each(|&column| cloth.pin(Node::new(column, 0)));
     let quarter = |_| {
         (0..15).for_each(|_| scene.step(&mut cloth, &mut memory));
         let local = |[x, y, z]: [f64; 3]| [x - away, y - away, z - away];
@@ -29,13 +28,14 @@ fn drift<S: Scalar>(away: f64) -> Vec<(f64, f64)> {
     (1..).zip(both).map(|(quarter, (a, b))| (0.25 * f64::from(quarter), farthest(&a, &b))).collect()
 }
 
+fn places<S: Scalar>(far: f64) {
+    let next = if S::FLOATS { S::RESOLUTION * 2_f64.powf(far.log2().floor()) } else { S::RESOLUTION };
+    println!("{:8} {:15.1e} {next:8.1e} {:10.1e}", S::NAME, S::RESOLUTION, S::LARGEST);
+}
+
 fn main() {
     let far = argument(100.0);
     println!("         last place of 1   of {far}   largest, cells");
-    fn places<S: Scalar>(far: f64) {
-        let next = if S::FLOATS { S::RESOLUTION * 2_f64.powf(far.log2().floor()) } else { S::RESOLUTION };
-        println!("{:8} {:15.1e} {next:8.1e} {:10.1e}", S::NAME, S::RESOLUTION, S::LARGEST);
-    }
     places::<f32>(far);
     places::<Q24>(far);
     let mut plot = Plot::new("Rounding: distance from f64", ["time, s", "largest distance, cells"])
