@@ -42,7 +42,7 @@ fn main() {
     let sweeps = argument(15.0) as u32;
     println!("particles that have moved after 1, 2, 4 and 8 sweeps: {:?}", [1, 2, 4, 8].map(heard));
     let mut plot = Plot::new("Strain of a hanging chain", ["sweeps", "strain, %"]).in_powers_of_ten([true; 2]);
-    let curve = |of: fn(u32) -> f64| (0..9).map(move |power| (f64::from(1 << power), of(1 << power)));
+    let curve = |of: fn(u32) -> f64| (0..8).map(move |power| (f64::from(1 << power), of(1 << power)));
     plot.curve("32 particles", curve(|sweeps| relaxed::<32>(sweeps).0));
     plot.curve("16 particles", curve(|sweeps| relaxed::<16>(sweeps).0));
     plot.curve("8 particles", curve(|sweeps| relaxed::<8>(sweeps).0));

@@ -33,10 +33,10 @@ fn study<V: Solver<f64> + Solver<Counted> + Copy>(plot: &mut Plot, truth: &[[f64
         let operations = Counted::operations().total() / FRAMES / (SIDE * SIDE) as u64;
         (operations as f64, apart(&swing::<f64>(solver, 1 << power), truth))
     };
-    let points: Vec<_> = (0..8).map(point).collect();
-    let order = (points[6].1 / points[7].1).log2();
-    let enough = (0..8).find(|k| points[*k..].iter().all(|(_, error)| *error < 10.0));
-    let enough = enough.map_or("more than 128".into(), |k| format!("{:13} {:12}", 1 << k, points[k].0));
+    let points: Vec<_> = (0..7).map(point).collect();
+    let order = (points[5].1 / points[6].1).log2();
+    let enough = (0..7).find(|k| points[*k..].iter().all(|(_, error)| *error < 10.0));
+    let enough = enough.map_or("more than 64".into(), |k| format!("{:13} {:12}", 1 << k, points[k].0));
     println!("{name:17} {order:5.2} {enough}");
     plot.curve(name, points.into_iter().filter(|(_, error)| *error < 1e3));
 }

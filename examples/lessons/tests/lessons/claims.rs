@@ -166,7 +166,7 @@ fn news_travels_two_links_a_sweep() {
 
 #[test]
 fn orders_are_what_they_are_called() {
-    for (arguments, is_stiff) in [(&[][..], false), (&["5000"], true)] {
+    for (arguments, is_stiff) in [(&[][..], false), (&["500"], true)] {
         let (text, _) = run("08-cost", arguments);
         let [leapfrog, xpbd, verlet, implicit, lines] =
             ["leapfrog", "XPBD", "Verlet, 4 sweeps", "backward Euler", "lines"].map(|name| {
