@@ -151,7 +151,13 @@ fn widened(range: &Range<f64>, length: f64) -> Range<f64> {
     middle - 0.5 * length..middle + 0.5 * length
 }
 
-/// A place on an axis as a number, without what adding up has left in its last places.
+/// A place on an axis as a number, without what adding up has left in its last places; a power of ten with two digits.
 fn label(place: f64, powers: bool) -> String {
-    if powers { format!("{:.0e}", 10_f64.powf(place)) } else { format!("{}", (place * 1e6).round() / 1e6 + 0.0) }
+    if !powers {
+        return format!("{}", (place * 1e6).round() / 1e6 + 0.0);
+    }
+    match place {
+        -2.1..4.0 => format!("{:.*}", (1.0 - place.floor()).max(0.0) as usize, 10_f64.powf(place)),
+        _ => format!("{:.0e}", 10_f64.powf(place)),
+    }
 }
