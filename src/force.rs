@@ -108,7 +108,7 @@ impl<S: Scalar> Slowdown<S> {
     }
 }
 
-/// Weight. It may change while the sheet moves, as on a board that is tilted.
+/// Weight (thesis, 3.3 and listing 5.2). It may change while the sheet moves, as on a board that is tilted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gravity<S> {
     /// The velocity gained in a substep, cells per tick.

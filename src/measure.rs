@@ -73,7 +73,7 @@ pub fn gravitational_energy<S: Scalar, const W: usize, const H: usize>(
     free(particles).map(|(mass, x, _)| -mass * units.mass * dot(gravity, x) * units.cell).sum()
 }
 
-/// The energy stored in springs, J.
+/// The energy stored in springs, J: the sum of ½·k·(|d| − L)² (thesis, equations 4.1–4.3).
 pub fn elastic_energy<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     particles: &Particles<S, W, H>,
     units: &Units,

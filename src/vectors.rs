@@ -4,7 +4,7 @@ use crate::grid::{Grid, Node};
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
-/// `W × H` vectors, row by row.
+/// `W × H` vectors, row by row. The thesis measures two layouts of a sheet's data (thesis, section 6.1); this is the library's.
 ///
 /// A row keeps its x, its y and its z together: machines that compute four numbers at once take them from a row as they lie.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 use crate::units::{Length, Point, Velocity};
 use crate::vec3::Vec3;
 
-/// A ball at rest; [`with_velocity`](Self::with_velocity) lets it move.
+/// A ball at rest (thesis, listing 5.4); [`with_velocity`](Self::with_velocity) lets it move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere<S> {
     /// Its centre at the start of the frame, cells.

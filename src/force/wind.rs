@@ -9,7 +9,7 @@ use crate::units::Airflow;
 use crate::vec3::Vec3;
 use crate::vectors::{SIDE_BY_SIDE, left, right};
 
-/// Wind as a pressure along each triangle's normal: force `n·(n̂·wind)` with `n = (b−a)×(c−a)` on each of its corners.
+/// Wind as a pressure along each triangle's normal: force `n·(n̂·wind)` with `n = (b−a)×(c−a)` on each of its corners (thesis, 3.3 and listing 5.3).
 ///
 /// The force grows with the area to which it stretches the sheet, and does not weaken with the sheet's velocity. Where a substep is too long for that, a triangle
 /// gives a corner of mass 1 no more than a third of the wind's own velocity across it, which keeps solvers that are stable for any step finite.

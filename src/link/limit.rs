@@ -14,7 +14,7 @@ use crate::scalar::fit::is_positive;
 /// where a solver leaves a sheet of 32 × 32 stretched to several times its size.
 const MOST_SWEEPS: u32 = 1000;
 
-/// Links none of which is longer than `1 + limit` times its rest length after a step.
+/// Links none of which is longer than `1 + limit` times its rest length after a step (thesis, section 5.4.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StrainLimited<L, S> {
     links: L,

@@ -49,19 +49,19 @@ macro_rules! springs {
 }
 
 springs!(
-    /// Springs along rows and columns, between neighbours.
+    /// Springs along rows and columns, between neighbours (thesis, figure 4.1 and listing 5.1; their force is that of equations 4.1–4.3).
     Stretch, 0: 1, 0; 1: 0, 1
 );
 springs!(
-    /// Springs along the diagonals of the cells.
+    /// Springs along the diagonals of the cells (thesis, figure 4.1 and listing 5.1).
     Shear, 0: 1, 1
 );
 springs!(
-    /// Springs along rows and columns, between a particle and the next but one.
+    /// Springs along rows and columns, between a particle and the next but one (thesis, figure 4.1 and listing 5.1).
     Bend, 0: 2, 0; 1: 0, 2
 );
 
-/// Links with dampers beside their springs: `f = −k_d·(v_i − v_j)`.
+/// Links with dampers beside their springs: `f = −k_d·(v_i − v_j)` (thesis, equation 4.4).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Damped<L, S> {
     links: L,

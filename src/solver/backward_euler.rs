@@ -24,7 +24,7 @@ use crate::solver::{Physics, Solver, confine, predict};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-/// Backward Euler, first order, stable for any stiffness and step; it damps what it can't resolve.
+/// Backward Euler, first order, stable for any stiffness and step; it damps what it can't resolve (thesis, equation 4.10).
 ///
 /// Wind acts with its strength at the start of the substep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

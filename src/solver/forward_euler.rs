@@ -11,7 +11,7 @@ use crate::solver::{Physics, Solver, confine, force_sum, predict};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-/// Forward Euler, first order.
+/// Forward Euler, first order (thesis, among equations 4.7–4.13).
 ///
 /// Its amplification of an oscillation ω is √(1 + ω²h²) > 1: without damping every motion grows, and a stiff sheet explodes. Here to be
 /// seen beside the others.

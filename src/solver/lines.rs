@@ -52,7 +52,8 @@ use rule::TimeRule;
 use split::{Outcome, Split};
 use sweeps::Kept;
 
-/// Second order in time, exact along rows, columns and stiff diagonals: the solver for sheets that hardly stretch.
+/// Second order in time, exact along rows, columns and stiff diagonals: the solver for sheets that hardly stretch, an answer to the question of super-elasticity
+/// (thesis, section 6.2).
 ///
 /// The rule in time is stable for any stiffness and step, and substeps whose sweeps don't converge are split. Nearly rigid sheets in few substeps may go on trembling all the
 /// same: docs/line-solver.md says which.

@@ -9,11 +9,11 @@ use crate::scalar::Scalar;
 use crate::solver::{Physics, Solver, Stateless, confine, predict, sweep};
 use crate::vec3::Vec3;
 
-/// Position Verlet `x' = x + (1 − D)·(x − x_old) + h²·a`, then `sweeps` relaxations of all springs.
+/// Position Verlet `x' = x + (1 − D)·(x − x_old) + h²·a` (thesis, among equations 4.7–4.13, and listing 5.5), then `sweeps` relaxations of all springs.
 ///
 /// Position and last displacement are kept instead of two positions, which is the same and loses no digits. Each of the K sweeps relaxes a
 /// spring with a K-th of its stiffness, so that the method approximates springs of finite stiffness for any K, in first order. Too few
-/// sweeps leave a stiff sheet *super-elastic*: news travels one link a sweep.
+/// sweeps leave a stiff sheet *super-elastic* (thesis, section 6.2): news travels one link a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Verlet {
     /// Relaxations of all springs in a substep, at least one.
