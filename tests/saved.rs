@@ -5,9 +5,10 @@ use std::fmt::Debug;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+use kerchief::self_contact::Thickness;
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Cloth, Damped, Drag, ForwardEuler, Gravity, Leapfrog, Lines, Node, Q13, Q24,
-    Resting, Scalar, Scene, Shear, Solver, Sphere, Stillness, Stretch, Units, Vec3, Verlet, Xpbd, measure,
+    Resting, Scalar, Scene, SelfContact, Shear, Solver, Sphere, Stillness, Stretch, Units, Vec3, Verlet, Xpbd, measure,
 };
 
 const W: usize = 7;
@@ -66,6 +67,8 @@ fn every_solver_goes_on<S: Scalar + Serialize + DeserializeOwned>() {
     goes_on::<S, _>("backward Euler", BackwardEuler { newton_steps: 2 }, 2, 200.0);
     let units = Units::sheet([W, H], [0.3, 0.2], 1e-3, 1.0 / 60.0, 4);
     goes_on::<S, _>("resting", Resting::new(&units, Stillness::DEFAULT, Lines::default()), 4, 200.0);
+    let thick = Thickness::new(&units, units.cell);
+    goes_on::<S, _>("meeting itself", SelfContact::new(thick, 0.3, Lines::default()), 4, 200.0);
     // in a few frames: it is saved at rest
     let soon = Stillness { speed: 100.0, acceleration: 1e4, time: 0.2 };
     goes_on::<S, _>("at rest", Resting::new(&units, soon, Xpbd), 4, 200.0);

@@ -59,6 +59,9 @@ iterations = 3
 sweeps = 5
 tolerance = 0.01
 strain_limit = 0.1
+[self]
+thickness = 0.09
+friction = 0.4
 [rest]
 speed = 0.002
 time = 2
@@ -117,6 +120,8 @@ fn a_scene_means_what_it_says() {
         (scene.solver.step, scene.solver.tolerance, scene.solver.strain_limit, scene.frames),
         (0.1, 0.01, Some(0.1), 20)
     );
+    let own = scene.self_contact.unwrap();
+    assert_eq!((own.thickness, own.friction), (Some(0.09), 0.4));
     let acceleration = Stillness::DEFAULT.acceleration;
     assert_eq!(scene.rest, Some(Stillness { speed: 0.002, acceleration, time: 2.0 }));
     let picture = &scene.picture;
@@ -132,7 +137,7 @@ fn what_is_left_out_is_off() {
     assert!(scene.stretch.is_none() && scene.shear.is_none() && scene.bend.is_none());
     assert!(scene.tether_slack.is_none() && scene.drag.is_none() && scene.wind.is_none());
     assert!(scene.spheres.is_empty() && scene.planes.is_empty() && scene.capsules.is_empty());
-    assert!(scene.sheet.pins.is_empty() && scene.rest.is_none());
+    assert!(scene.sheet.pins.is_empty() && scene.rest.is_none() && scene.self_contact.is_none());
     assert_eq!([scene.sheet.mass_at(0, 0), scene.sheet.mass_at(1, 1)], [1.0, 1.0]);
     assert_eq!((scene.gravity, scene.sheet.pose), ([0.0; 3], Pose::Lay));
     let solver = scene.solver;
@@ -243,6 +248,7 @@ fn unknown_keys() {
         ("normal = [0.0, 3.0, 4.0]", "normals = [0.0, 3.0, 4.0]", "plane[0].normals", "unknown key"),
         ("b = [0.0, 0.0, 1.0]", "c = [0.0, 0.0, 1.0]", "capsule[0].c", "unknown key"),
         ("substeps = 8", "sub_steps = 8", "solver.sub_steps", "unknown key"),
+        ("friction = 0.4", "slip = 0.4", "self.slip", "unknown key, expected `thickness` or `friction`"),
         ("time = 2\n", "seconds = 2\n", "rest.seconds", "unknown key, expected one of `speed`"),
         ("frames = 20", "seconds = 20", "run.seconds", "unknown key, expected `frames`"),
         ("frames = 20", "\"a\\nb\" = 20", "run.a\nb", "run.a\\nb: unknown key"),
@@ -328,6 +334,8 @@ fn numbers_out_of_range() {
         ("iterations = 3", "iterations = 0", "solver.iterations", "is 0"),
         ("sweeps = 5", "sweeps = 0", "solver.sweeps", "is 0"),
         ("tolerance = 0.01", "tolerance = 0.0", "solver.tolerance", "must be above zero"),
+        ("thickness = 0.09", "thickness = 0.0", "self.thickness", "must be above zero"),
+        ("friction = 0.4", "friction = -0.4", "self.friction", "must be zero or above"),
         ("speed = 0.002", "speed = 0", "rest.speed", "must be above zero"),
         ("time = 2\n", "time = -2\n", "rest.time", "must be above zero"),
         ("strain_limit = 0.1", "strain_limit = -0.1", "solver.strain_limit", "must be above zero"),
@@ -541,4 +549,24 @@ fn no_number_in_a_file_is_a_panic() {
     }
     assert!(check::<f32>(SMALL) && check::<f64>(SMALL) && check::<Q24>(SMALL));
     assert!(played > 100, "{played} scenes were played");
+}
+
+/// A cell of the good scene is 0.1 m wide and as high.
+#[test]
+fn a_sheet_that_meets_itself_is_about_a_cell_thick() {
+    let start = |text: &str| {
+        let scene = Description::parse(text).unwrap();
+        scene.simulation_on::<Everything, Q24, 24, 16>().map(|simulation| simulation.self_contacts())
+    };
+    for thickness in ["thickness = 0.075", "thickness = 0.1", ""] {
+        assert_eq!(start(&spoilt("thickness = 0.09", thickness)).unwrap(), Some(0));
+    }
+    assert_eq!(start(&spoilt("[self]\nthickness = 0.09\nfriction = 0.4\n", "")).unwrap(), None);
+    for thickness in ["thickness = 0.07", "thickness = 0.11", "thickness = 1e300"] {
+        let line = start(&spoilt("thickness = 0.09", thickness)).unwrap_err().to_string();
+        let bounds = "self.thickness: must be 0.075 to 0.1, 0.75 to 1 of a cell's longer side, is ";
+        assert!(line.starts_with(bounds), "{line}");
+    }
+    let line = start(&spoilt("friction = 0.4", "friction = 1e9")).unwrap_err().to_string();
+    assert!(line.starts_with("self.friction: "), "{line}");
 }

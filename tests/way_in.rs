@@ -3,6 +3,8 @@
 use kerchief::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Node, Q13, Q24, Sheet, Stillness, Verlet, Xpbd, measure};
 
 const DOWN: [f64; 3] = [0.0, 0.0, -9.81];
+/// Of a sheet of 8 × 8 particles and 30 cm, a cell.
+const THICKNESS: f64 = 0.3 / 7.0;
 
 macro_rules! plays {
     ($sheet:ident, $forces:expr, $links:expr, $colliders:expr, $solver:expr) => {{
@@ -53,6 +55,8 @@ macro_rules! of_every_number {
             let pushed = SHEET.moving_ball([0.15, 0.1, 0.0], 0.05, 0.005, [0.0, 0.1, 0.0]);
             let ground = SHEET.plane([0.0, 0.0, -0.2], [0.0, 0.0, 1.0], 0.005);
             with_every_solver!(gravity, links, ());
+            plays!(SHEET, gravity, links, ball, SHEET.self_contact(THICKNESS, 0.3, Lines::new()));
+            plays!(SHEET, gravity, links, (), SHEET.self_contact(THICKNESS, 0.3, Xpbd::new()));
             with_every_solver!((gravity, SHEET.aerodynamic_wind([3.0, 1.0, 0.0], 1.2, 1.2)), links, ball);
             with_every_solver!((gravity, SHEET.facet_wind([0.3, 0.1, 0.0]), SHEET.drag(0.5)), damped, (pushed, ground));
             with_every_solver!((gravity, SHEET.panel_wind([3.0, 1.0, 0.0], 1.2, 1.2)), links, ball);

@@ -130,6 +130,8 @@ fn law<S: Scalar>(SelfContact { thickness, friction }: SelfContact, units: &Unit
     let thickness = thickness.unwrap_or(units.cell);
     let [least, most] = [THINNEST * units.cell, units.cell];
     if thickness < (1.0 - 1e-9) * least || thickness > (1.0 + 1e-9) * most {
+        // to six digits, without what rounding adds
+        let [least, most] = [least, most].map(|bound| format!("{bound:.5e}").parse::<f64>().unwrap_or(bound));
         let bounds = format!("must be {least} to {most}, 0.75 to 1 of a cell's longer side, is {thickness}");
         return Err(SceneError::new("self.thickness", bounds));
     }

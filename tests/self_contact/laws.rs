@@ -3,8 +3,8 @@
 use std::mem::size_of;
 
 use kerchief::{
-    BackwardEuler, Cloth, Leapfrog, Lines, Node, Q13, Q24, Scalar, SelfContact, Sheet, Solver, Stretch, Vec3, Verlet,
-    Xpbd, measure,
+    BackwardEuler, Cloth, Leapfrog, Lines, Node, Q13, Q24, Scalar, SelfContact, Sheet, Solver, Stillness, Stretch,
+    Vec3, Verlet, Xpbd, measure,
 };
 
 use crate::stage::{Case, Random, Stage, layered};
@@ -202,6 +202,27 @@ fn tangled_starts_stay_bounded() {
         law::<f32, _>(Xpbd, seed);
         law::<Q13, _>(Xpbd, seed);
     }
+}
+
+/// `Resting` around it: a heap comes to rest, keeps its bits, and wakes when a pin moves.
+#[test]
+fn a_heap_comes_to_rest() {
+    fn law<S: Scalar>() {
+        let solver = |sheet: &Sheet<S, 12, 12>| sheet.resting(Stillness::DEFAULT, layered(Xpbd)(sheet));
+        let mut stage = Stage::<S, _, 12, 12>::new(Case::Heap, 16, solver);
+        stage.scene.forces.1 = stage.sheet.drag(4.0);
+        (0..900).for_each(|_| stage.step());
+        assert!(stage.memory.is_at_rest(), "awake in {}", S::NAME);
+        let lies = measure::digest(&stage.cloth);
+        (0..10).for_each(|_| stage.step());
+        assert_eq!(measure::digest(&stage.cloth), lies, "in {}", S::NAME);
+        stage.cloth.velocity.set(Node::new(3, 3), Vec3::from_f64([0.0, 0.0, 0.5]));
+        stage.step();
+        assert!(!stage.memory.is_at_rest() && measure::digest(&stage.cloth) != lies, "asleep in {}", S::NAME);
+    }
+    law::<f32>();
+    law::<Q24>();
+    law::<Q13>();
 }
 
 /// A sheet that falls in a heap never has more energy than before.

@@ -2,10 +2,11 @@
 //! host plays them too.
 
 use kerchief::force::Force;
+use kerchief::self_contact::Thickness;
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Capsule, Cloth, Collider, Damped, Drag, FacetWind, ForwardEuler, Gravity,
-    Leapfrog, Lines, Links, Node, PanelWind, Plane, Q13, Q24, Resting, Scalar, Scene, Shear, Solver, Sphere, Stillness,
-    StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
+    Leapfrog, Lines, Links, Node, PanelWind, Plane, Q13, Q24, Resting, Scalar, Scene, SelfContact, Shear, Solver,
+    Sphere, Stillness, StrainLimited, Stretch, Tether, Units, Vec3, Verlet, Xpbd, measure,
 };
 
 /// Particles a side.
@@ -19,10 +20,14 @@ pub const LINES: (Lines, u32) = (Lines::with_sweeps(1), 1);
 
 /// Frames before the counted ones: links are then stretched as they usually are.
 pub const WARM_UP: u32 = 2;
-/// Frames that are counted: two, except that the line solver, which sweeps as often as it has to, and a sheet at rest, whose frame is short, are counted to the
-/// end of a second.
+/// Frames that are counted: two, except that the line solver, which sweeps as often as it has to, a sheet that looks for itself now and then, and one at rest, whose frame is
+/// short, are counted to the end of a second.
 pub const fn counted(scene: &str) -> u32 {
-    let is_long = is(Some("lines"), scene) || is(Some("damped lines"), scene) || is(Some("xpbd, at rest"), scene);
+    let is_long = is(Some("lines"), scene)
+        || is(Some("damped lines"), scene)
+        || is(Some("lines, meeting itself"), scene)
+        || is(Some("xpbd, meeting itself"), scene)
+        || is(Some("xpbd, at rest"), scene);
     if is_long { 60 - WARM_UP } else { 2 }
 }
 
@@ -154,6 +159,10 @@ fn play<S: Scalar, B: Bench>(bench: &mut B) {
             Damped::new(stretch(&FEW), FEW.damping(20.0)),
             Damped::new(shear(&FEW), FEW.damping(20.0)),
         ), (), Lines::with_sweeps(LINES.0.sweeps);
+        "xpbd, meeting itself": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (),
+            SelfContact::new(Thickness::new(&MANY, MANY.cell), 0.3, Xpbd);
+        "lines, meeting itself": FEW, gravity(&FEW), (stretch(&FEW), shear(&FEW)), (),
+            SelfContact::new(Thickness::new(&FEW, FEW.cell), 0.3, LINES.0);
         "xpbd, resting": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (), Resting::new(&MANY, NEVER, Xpbd);
         "xpbd, at rest": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (), Resting::new(&MANY, SOON, Xpbd);
     }

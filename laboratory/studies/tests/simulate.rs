@@ -616,6 +616,24 @@ fn the_report_has_its_keys_in_order() {
     assert!(stdout.contains(&format!("{:#010x}", simulation.digest())), "{stdout}");
 }
 
+/// A built-in scene of a sheet that meets itself: the report says so, and counts how often it passes through itself.
+#[test]
+fn a_sheet_that_meets_itself_is_reported() {
+    let room = room();
+    let stdout = succeeds(room.path(), &["heap", "--csv", "--every", "60", "--frames", "60", "--intersections"]);
+    let with = report(room.path());
+    let contacts = with["self_contacts"].as_u64().unwrap();
+    assert!(contacts > 50 && with["self_intersections"] == 0, "{stdout}");
+    assert!(stdout.contains(&format!("meets itself in   {contacts} places at most")), "{stdout}");
+    assert!(stdout.contains("passes through    0 times"), "{stdout}");
+
+    let heap = kerchief::host::built_in("heap").unwrap().text.replace("[self]\nfriction = 0.3\n", "");
+    fs::write(room.path().join("heap.toml"), heap).unwrap();
+    succeeds(room.path(), &["heap.toml", "--csv", "--every", "60", "--frames", "60", "--intersections"]);
+    let without = report(room.path());
+    assert!(without["self_intersections"].as_u64().unwrap() > 1000 && !without.contains_key("self_contacts"));
+}
+
 /// Something that happens to a sheet at rest.
 type Disturb = fn(&mut dyn Simulation);
 

@@ -40,18 +40,20 @@ const KERNELS: [(&str, &str, Option<&str>, u64); 14] = [
 ];
 
 /// A frame: its scene and what it consists of.
-const FRAMES: [(&str, &str); 7] = [
+const FRAMES: [(&str, &str); 9] = [
     ("xpbd", "XPBD, 8 substeps of stretch and shear"),
+    ("xpbd, meeting itself", "the same, looking whether the sheet meets itself (`SelfContact`)"),
     ("xpbd, at rest", "the same, at rest (`Resting`)"),
     ("verlet", "position Verlet, 8 sweeps of stretch and shear"),
     ("lines", "line solver, stretch and shear, strain under 1 %"),
-    ("damped lines", "the same with dampers in all links"),
+    ("lines, meeting itself", "the same, looking whether the sheet meets itself"),
+    ("damped lines", "the line solver with dampers in all links"),
     ("leapfrog", "leapfrog, 32 substeps of stretch and shear"),
     ("backward Euler", "backward Euler, a Newton step of stretch and shear"),
 ];
 
 /// What a scene may name, and the scene that has it.
-const PARTS: [(&str, &str, &str); 15] = [
+const PARTS: [(&str, &str, &str); 16] = [
     ("nothing: `()` in every place", "unnamed", "bare"),
     ("stretch", "stretch", "bare"),
     ("shear", "shear", "bare"),
@@ -66,6 +68,7 @@ const PARTS: [(&str, &str, &str); 15] = [
     ("sphere", "sphere", "bare"),
     ("plane", "plane", "bare"),
     ("capsule", "capsule", "bare"),
+    ("self-contact", "xpbd, meeting itself", "xpbd"),
     ("rest, in motion", "xpbd, resting", "xpbd"),
 ];
 
