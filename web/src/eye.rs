@@ -1,0 +1,31 @@
+//! Where one looks from.
+
+use embedded_graphics::geometry::Size;
+use kerchief::Units;
+use kerchief::render::{Camera, View};
+
+/// The point in the middle of the picture, m.
+const TARGET: [f64; 3] = [0.0, 0.0, 0.34];
+
+/// A look at the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Eye {
+    /// Degrees, as of [`View::new`].
+    pub azimuth: f64,
+    /// Degrees.
+    pub elevation: f64,
+    /// From the middle of the scene, m.
+    pub distance: f64,
+}
+
+impl Eye {
+    /// Where the page looks from at first.
+    pub const DEFAULT: Self = Self { azimuth: 28.0, elevation: 16.0, distance: 1.9 };
+
+    /// The camera that looks at sheets of these units.
+    pub fn camera(&self, units: &Units, screen: Size) -> Camera<f32> {
+        // the eye is a cell away from what it looks at, at least
+        let distance = units.length(self.distance.max(units.cell));
+        Camera::new(&View::new(self.azimuth, self.elevation).at(units.point(TARGET), distance), screen)
+    }
+}
