@@ -97,7 +97,9 @@ test('sheets and pictures are those of a host, bit for bit', async () => {
         }, [asked, [width, height]]);
         assert.deepEqual(found, { digest, pixels, fate }, asked);
     }
-    assert.equal(new Set(expected.map(({ digest }) => digest)).size, 24, 'every solver and number type has a digest of its own');
+    // Q13 measures only what is relaxed more coarsely than Q24
+    const own = expected.filter(({ query: asked }) => !asked.includes('q13')).map(({ digest }) => digest);
+    assert.equal(new Set(own).size, 18, 'every solver and number type has a digest of its own');
     await page.close();
 });
 
@@ -256,6 +258,8 @@ test('every control changes the sheets and the address', async () => {
     const LIVE = new Set(['damping', 'drag', 'wind', 'heading', 'tilt', 'roll', 'ball']);
     for (const [key, right] of shown) {
         const sheet = right ? 1 : 0;
+        // a start brings its wind along
+        await page.locator('[data-key=wind]').fill('1');
         await page.click('#reset');
         await play(page, LIVE.has(key) ? 5 : 0);
         const results = await page.evaluate(([name, of, live]) => {
@@ -362,7 +366,7 @@ test('what a number type does not represent is refused in words', async () => {
     assert.match(left, /Q24 is too coarse.*bend springs/);
     assert.equal(right, null);
     assert.equal(await page.textContent('.sheet [data-value=digest]'), '–');
-    await play(page, 5);
+    await play(page, 5, 1);
     await page.locator('.picture canvas').first().click();
     await page.close();
 });
@@ -480,7 +484,7 @@ for (const [name, run] of tests) {
         console.log(`  ok  ${((performance.now() - start) / 1e3).toFixed(1)} s  ${name}`);
     } catch (error) {
         failed += 1;
-        console.error(`  FAILED  ${name}\n${error.stack}`);
+        console.error(`  FAILED  ${((performance.now() - start) / 1e3).toFixed(1)} s  ${name}\n${error.stack}`);
         for (const page of context.pages().slice(1)) await page.close();
     }
 }
