@@ -27,7 +27,8 @@ const MAKE = {
         const shown = make('output', { for: id });
         return {
             input, event: 'input', parts: [input], shown,
-            read: () => (log ? 10 ** Number(input.value) : Number(input.value)),
+            // two digits, so that an address says all of it
+            read: () => (log ? Number((10 ** Number(input.value)).toPrecision(2)) : Number(input.value)),
             show(value) {
                 input.value = log ? Math.log10(value) : value;
                 shown.textContent = text(setting, value);

@@ -3,7 +3,7 @@ import { FRAME } from 'playground/engine.js';
 import { short } from 'playground/explain.js';
 
 export const STEPS = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
-export const STIFFNESS = [0.01, 0.0316, 0.1, 0.316, 1, 3.16, 10];
+export const STIFFNESS = [0.01, 0.03, 0.1, 0.3, 1, 3, 10];
 
 // Pale to strong, in strains up to which a colour goes.
 const SHADES = [[0.01, '#dfeadf'], [0.02, '#cbdfcb'], [0.05, '#b3d0b5'], [0.1, '#e9ddb0'], [0.25, '#e3c27e'], [0.5, '#d99a5b'], [Infinity, '#c9754a']];
@@ -39,7 +39,7 @@ export class StabilityMap {
         foot.append(document.createElement('span'), ...STIFFNESS.map((stiffness) => {
             const head = document.createElement('span');
             head.setAttribute('role', 'columnheader');
-            head.textContent = `×${Number(stiffness.toPrecision(2))}`;
+            head.textContent = `× ${stiffness}`;
             return head;
         }));
         grid.append(foot);
@@ -57,7 +57,7 @@ export class StabilityMap {
     }
 
     #name(cell, row, column, outcome) {
-        const name = `${STEPS[row]} substeps of ${short((1e3 * FRAME) / STEPS[row])} ms, stiffness × ${Number(STIFFNESS[column].toPrecision(2))}: ${outcome}`;
+        const name = `${STEPS[row]} substeps of ${short((1e3 * FRAME) / STEPS[row])} ms, stiffness × ${STIFFNESS[column]}: ${outcome}`;
         cell.setAttribute('aria-label', name);
         cell.title = name;
     }

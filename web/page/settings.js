@@ -95,7 +95,7 @@ export function format({ shared, sheets, page }) {
     const said = new URLSearchParams();
     if (page.lesson) said.set('lesson', page.lesson);
     const write = (values, defaults, suffix = '') => Object.entries(values).forEach(([key, value]) => {
-        if (value !== defaults[key]) said.set(key + suffix, key === 'stiffness' ? Number(value.toPrecision(3)) : value);
+        if (value !== defaults[key]) said.set(key + suffix, value);
     });
     write(sheets[0], LEFT);
     write(sheets[1], RIGHT, '2');

@@ -39,6 +39,8 @@ const TONES: [[Rgb888; 2]; 2] =
     [[Rgb888::new(250, 240, 226), Rgb888::new(178, 34, 38)], [Rgb888::new(244, 242, 234), Rgb888::new(38, 84, 140)]];
 const BALL_TONE: Rgb888 = Rgb888::new(128, 132, 130);
 const SHADOW: Rgb888 = Rgb888::new(172, 164, 154);
+/// What the floor reflects: cloth is mostly seen from the side or from below.
+const REFLECTED: Rgb888 = Rgb888::new(140, 130, 122);
 /// Bands of the pattern along a side.
 const BANDS: i32 = 15;
 
@@ -194,7 +196,8 @@ impl<const N: usize, const FACES: usize> Shown for Likeness<N, FACES> {
         let width = Width::parts(CELL * (N as i32 - 1) / BANDS);
         let tones = TONES[usize::from(right)];
         let pattern = Border { width, tone: tones[1], inner: Gingham { width, tones } };
-        let look = Look::new(Light::new(eye.azimuth - 50.0, 52.0), pattern).solids(ball.as_slice()).backdrop(ground);
+        let light = Light { ground: REFLECTED, ..Light::new(eye.azimuth - 40.0, 36.0) };
+        let look = Look::new(light, pattern).solids(ball.as_slice()).backdrop(ground);
         let Ok(()) = Shaded::<_, N, N>::new(look).smooth::<FACES>().draw(&self.drawn(), &camera, frame);
     }
 
