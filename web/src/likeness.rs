@@ -129,9 +129,9 @@ impl<const N: usize, const FACES: usize> Likeness<N, FACES> {
     }
 
     /// The sheet as it is drawn and picked.
-    fn drawn(&self) -> Box<Particles<f32, N, N>> {
+    fn drawn(&self) -> Particles<f32, N, N> {
         let near = |cells: f64| cells.clamp(-FURTHEST, FURTHEST);
-        let mut drawn = Box::new(Particles::BLANK);
+        let mut drawn = Particles::BLANK;
         for node in Grid::<f32, N, N>::nodes() {
             drawn.position.set(node, Vec3::from_f64(self.particles.position.at(node).to_f64().map(near)));
         }

@@ -26,6 +26,8 @@ pub enum Refusal {
     Damping,
 }
 
+/// Gravity, drag and wind.
+pub type Weather<S> = (Gravity<S>, Drag<S>, Option<PanelWind<S>>);
 /// What pulls from outside.
 pub type Forces<S> = (Gravity<S>, Drag<S>, Option<PanelWind<S>>, Hand<S>);
 /// What holds particles together.
@@ -57,7 +59,7 @@ fn represents<S: Scalar, const M: usize>(values: [f64; M]) -> bool {
         && values.into_iter().all(|value| 16.0 * (S::from_f64(value).to_f64() - value).abs() <= largest)
 }
 
-/// `made`, or the refusal of a constant.
+/// Refuses a constant that `S` does not represent.
 fn check<S: Scalar, const M: usize>(refusal: Refusal, values: [f64; M]) -> Result<(), Refusal> {
     if represents::<S, M>(values) { Ok(()) } else { Err(refusal) }
 }
@@ -94,14 +96,11 @@ pub fn links<S: Scalar, const N: usize>(sheet: &Sheet<S, N, N>, settings: &Setti
     ))
 }
 
-/// Gravity, drag and wind.
+/// Weight, drag and moving air.
 ///
 /// # Errors
 /// Where `S` does not represent one.
-pub fn air<S: Scalar, const N: usize>(
-    sheet: &Sheet<S, N, N>,
-    settings: &Settings,
-) -> Result<(Gravity<S>, Drag<S>, Option<PanelWind<S>>), Refusal> {
+pub fn weather<S: Scalar, const N: usize>(sheet: &Sheet<S, N, N>, settings: &Settings) -> Result<Weather<S>, Refusal> {
     let units = &sheet.units;
     check::<S, 3>(Refusal::Gravity, units.acceleration(settings.gravity()).0)?;
     check::<S, 1>(Refusal::Drag, [units.drag(settings.drag).rate])?;
@@ -151,7 +150,7 @@ mod tests {
                     let settings = Settings { fabric, wind: 6.0, ..Settings::DEFAULT };
                     let sheet = sheet::<S>(substeps, &settings);
                     assert!(links(&sheet, &settings).is_ok(), "{} {fabric} {substeps}", S::NAME);
-                    assert!(air(&sheet, &settings).is_ok(), "{} {fabric} {substeps}", S::NAME);
+                    assert!(weather(&sheet, &settings).is_ok(), "{} {fabric} {substeps}", S::NAME);
                     let _ = (hand(&sheet, &settings), ball(&sheet, &settings), floor(&sheet));
                 }
             }
@@ -168,6 +167,6 @@ mod tests {
         assert_eq!(links(&sheet::<Q24>(64, &soft), &soft).err(), Some(Refusal::Stretch));
         assert!(links(&sheet::<f32>(64, &soft), &soft).is_ok());
         let thin = Settings { drag: 1e-4, ..Settings::DEFAULT };
-        assert_eq!(air(&sheet::<Q24>(64, &thin), &thin).err(), Some(Refusal::Drag));
+        assert_eq!(weather(&sheet::<Q24>(64, &thin), &thin).err(), Some(Refusal::Drag));
     }
 }

@@ -47,7 +47,7 @@ pub fn start<S: Scalar, const N: usize, const FACES: usize>(settings: &Settings)
     for node in pins::<N>(settings.start) {
         cloth.pin(node);
     }
-    let (gravity, drag, wind) = parts::air(&sheet, settings)?;
+    let (gravity, drag, wind) = parts::weather(&sheet, settings)?;
     let world = World {
         forces: (gravity, drag, wind, parts::hand(&sheet, settings)),
         links: parts::links(&sheet, settings)?,
@@ -152,7 +152,7 @@ impl<S: Scalar, const N: usize, const FACES: usize> Moving for Running<S, N, FAC
 
     fn change(&mut self, settings: &Settings) -> Result<(), Refusal> {
         let links = parts::links(&self.sheet, settings)?;
-        let (gravity, drag, wind) = parts::air(&self.sheet, settings)?;
+        let (gravity, drag, wind) = parts::weather(&self.sheet, settings)?;
         let (forces, held, obstacles) = self.player.parts();
         (forces.0, forces.1, forces.2) = (gravity, drag, wind);
         *held = links;
