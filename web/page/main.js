@@ -109,7 +109,7 @@ function restart() {
     settled();
 }
 
-// Shows all settings, and writes them into the address.
+// Shows all settings.
 function settled() {
     cards.forEach(({ own }, sheet) => {
         Object.entries(own).forEach(([key, control]) => control.show(state.sheets[sheet][key]));
@@ -120,10 +120,13 @@ function settled() {
     find('slow').setAttribute('aria-pressed', Boolean(state.page.slow));
     find('lesson').hidden = !state.page.lesson;
     find('lesson').textContent = `Lesson ${state.page.lesson}`;
-    history.replaceState(null, '', location.pathname + format(state));
     study.settled();
     changed();
 }
+
+// Writes all settings into the address. Browsers refuse that for every step of a slider.
+function address() { history.replaceState(null, '', location.pathname + format(state)); }
+document.addEventListener('change', address);
 
 // Settings of one sheet; a solver comes with its usual sweeps.
 function choose(sheet, settings) {
@@ -139,7 +142,15 @@ function share(settings) {
     restart();
 }
 
-const study = studies({ state, worker, stage: () => stage, choose, share, run: () => run(true), find });
+// A case of a study is loaded, and runs.
+function load(sheet, own, shared) {
+    Object.assign(state.shared, shared);
+    choose(sheet, own);
+    address();
+    run(true);
+}
+
+const study = studies({ worker, stage: () => stage, load, find });
 
 function run(running) {
     clock.running = running;
@@ -156,6 +167,7 @@ function step() {
 function slow() {
     state.page.slow = state.page.slow ? 0 : 1;
     settled();
+    address();
 }
 
 find('run').addEventListener('click', () => run(!clock.running));
@@ -226,6 +238,7 @@ function tick(now) {
 addEventListener('resize', changed);
 run(clock.running);
 settled();
+address();
 for (let frame = 0; frame < state.page.frames; frame += 1) stage.step();
 if (state.page.frames) run(false);
 if (state.page.map) find('map-run').click();

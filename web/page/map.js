@@ -14,7 +14,6 @@ export class StabilityMap {
         this.grid = grid;
         this.cells = new Map();
         grid.style.setProperty('--columns', STIFFNESS.length);
-        grid.setAttribute('aria-rowcount', STEPS.length);
         STEPS.forEach((substeps, row) => {
             const line = document.createElement('div');
             line.setAttribute('role', 'row');

@@ -3,19 +3,16 @@ import { CostPlot, SOLVER_COLOURS, cases } from 'playground/cost.js';
 import { STEPS, STIFFNESS, StabilityMap } from 'playground/map.js';
 import { label } from 'playground/settings.js';
 
-export function studies({ state, worker, stage, choose, share, run, find }) {
+export function studies({ worker, stage, load, find }) {
     let studying = null;
     let heard = () => {};
     const target = (name) => Number(document.querySelector(`input[name=${name}]:checked`).value);
 
     const map = new StabilityMap(find('map'), ({ substeps, stiffness }) => {
-        Object.assign(state.sheets[target('map-sheet')], { substeps });
-        share({ stiffness });
-        run();
+        load(target('map-sheet'), { substeps }, { stiffness });
     });
     const plot = new CostPlot(find('cost'), ({ solver, number, substeps, sweeps }) => {
-        choose(target('cost-sheet'), { solver, number, substeps, sweeps });
-        run();
+        load(target('cost-sheet'), { solver, number, substeps, sweeps }, {});
     });
     find('cost-key').replaceChildren(...Object.entries(SOLVER_COLOURS).map(([solver, colour]) => {
         const entry = document.createElement('span');
@@ -27,6 +24,11 @@ export function studies({ state, worker, stage, choose, share, run, find }) {
 
     const buttons = { map: [find('map-run'), find('map-note'), 'Draw the map'], cost: [find('cost-run'), find('cost-note'), 'Draw the plot'] };
     let current = null;
+    // The settings that the map was drawn with.
+    let drawn = null;
+
+    // The settings of the sheet that the map is for, but for those that it has all of.
+    const mapped = () => ({ ...stage().settings(target('map-sheet')), substeps: 0, stiffness: 0 });
 
     function end(note) {
         if (!current) return;
@@ -65,13 +67,16 @@ export function studies({ state, worker, stage, choose, share, run, find }) {
 
     find('map-run').addEventListener('click', () => {
         const settings = stage().settings(target('map-sheet'));
-        const frequency = stage().frequency / Math.sqrt(state.shared.stiffness);
-        if (current !== 'map') map.clear();
+        const frequency = stage().frequency / Math.sqrt(settings.stiffness);
+        if (current !== 'map') {
+            map.clear();
+            drawn = JSON.stringify(mapped());
+        }
         start('map', { map: { settings, steps: STEPS, stiffness: STIFFNESS } }, STEPS.length * STIFFNESS.length, (data) => map.show(data, frequency));
     });
 
     find('cost-run').addEventListener('click', () => {
-        const list = cases([...new Set(state.sheets.map(({ number }) => number))]);
+        const list = cases([...new Set([0, 1].map((sheet) => stage().settings(sheet).number))]);
         if (current !== 'cost') plot.clear(list);
         start('cost', { cost: { settings: stage().settings(0), cases: list } }, list.length, (data) => plot.add(data));
     });
@@ -79,8 +84,8 @@ export function studies({ state, worker, stage, choose, share, run, find }) {
     for (const radio of document.querySelectorAll('input[name=map-sheet]')) radio.addEventListener('change', () => settled());
 
     function settled() {
-        const { substeps } = state.sheets[target('map-sheet')];
-        map.mark({ substeps, stiffness: state.shared.stiffness });
+        map.mark(stage().settings(target('map-sheet')));
+        if (drawn && current !== 'map') buttons.map[1].textContent = drawn === JSON.stringify(mapped()) ? '' : 'drawn with other settings';
     }
 
     return { settled };

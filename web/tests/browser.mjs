@@ -273,7 +273,8 @@ test('every control changes the sheets and the address', async () => {
             const set = (value) => {
                 if (input.type === 'checkbox') input.checked = !input.checked;
                 else input.value = value;
-                input.dispatchEvent(new Event(input.type === 'range' ? 'input' : 'change'));
+                if (input.type === 'range') input.dispatchEvent(new Event('input', { bubbles: true }));
+                input.dispatchEvent(new Event('change', { bubbles: true }));
             };
             const other = (() => {
                 if (input.type === 'checkbox') return null;
@@ -339,6 +340,39 @@ test('the reference agrees with itself, and its distance from others is their er
     await page.close();
 });
 
+test('a reference that is too late is given up, in words', async () => {
+    const page = await open('?run=0&solver2=xpbd&grid=8');
+    // no answer is heard meanwhile
+    await play(page, 250);
+    assert.match(await page.textContent('#reference-note'), /does not keep up/);
+    await page.click('#reset');
+    assert.match(await page.textContent('#reference-note'), /Leapfrog in f64/);
+    await page.close();
+});
+
+test('the largest grid moves in every number type, by every solver', async () => {
+    const page = await open('?run=0&reference=0&grid=32');
+    const moves = await page.evaluate(() => {
+        const { engine, stage } = globalThis.playground;
+        return ['f32', 'f64', 'q24', 'q13'].flatMap((number) => ['lines', 'xpbd', 'leapfrog', 'backward-euler', 'verlet', 'forward-euler'].map((solver) => {
+            const refused = engine.start(0, { ...stage.settings(0), number, solver, substeps: 1, sweeps: 1 });
+            const before = engine.digest(0);
+            const fate = engine.frame(0);
+            return !refused && !fate && engine.strain(0) < 0.1 && engine.digest(0) !== before;
+        }));
+    });
+    assert.deepEqual(moves, Array(24).fill(true));
+    await page.close();
+});
+
+test('pictures get smaller where they are late', async () => {
+    const page = await open('?reference=0&grid=8');
+    const before = await page.evaluate(() => document.querySelector('.picture canvas').width);
+    await page.evaluate(() => Object.assign(globalThis.playground.clock, { spent: 500, calm: 100 }));
+    await page.waitForFunction((width) => document.querySelector('.picture canvas').width < width, before);
+    await page.close();
+});
+
 test('an explosion is frozen, named and explained', async () => {
     const page = await open('?run=0&reference=0&solver=leapfrog&substeps=16&solver2=forward-euler&substeps2=16');
     await play(page, 120);
@@ -386,12 +420,18 @@ test('the map of stability has the limit where theory has it, and starts a case'
         gone: cell.classList.contains('gone'), product: Number(cell.getAttribute('aria-label').match(/ω·h = ([\d.]+)/)[1]),
     })));
     assert.equal(cells.length, 84);
+    assert.equal(await page.textContent('#map-note'), '');
     for (const { gone, product } of cells) if (Math.abs(product - 2) > 0.15) assert.equal(gone, product > 2, `ω·h = ${product}`);
     const gone = page.locator('.map button.gone').last();
     const [, substeps] = (await gone.getAttribute('aria-label')).match(/^(\d+) substeps/);
     await gone.click();
     assert.equal((await query(page)).get('substeps2'), substeps);
     await page.waitForFunction(() => !document.querySelectorAll('.explosion')[1].hidden);
+    await page.selectOption('[data-key=fabric]', 'jacket');
+    assert.equal(await page.textContent('#map-note'), 'drawn with other settings');
+    await page.click('#map-run');
+    await page.click('#map-run');
+    assert.deepEqual([await page.textContent('#map-run'), await page.textContent('#map-note')], ['Draw the map', 'stopped']);
     await page.focus('.map button[tabindex="0"]');
     await page.keyboard.press('ArrowRight');
     await page.keyboard.press('Enter');
@@ -484,14 +524,15 @@ for (const [name, run] of tests) {
         complaints.length = 0;
         await run();
         assert.deepEqual(complaints, [], 'what the page complains of');
-        console.log(`  ok  ${((performance.now() - start) / 1e3).toFixed(1)} s  ${name}`);
+        console.log(`test ${name} ... ok <${((performance.now() - start) / 1e3).toFixed(1)}s>`);
     } catch (error) {
         failed += 1;
-        console.error(`  FAILED  ${((performance.now() - start) / 1e3).toFixed(1)} s  ${name}\n${error.stack}`);
+        console.log(`test ${name} ... FAILED\n${error.stack}`);
         for (const page of context.pages().slice(1)) await page.close();
     }
 }
-console.log(`${tests.length - failed} tests passed, ${failed} failed, ${((performance.now() - begun) / 1e3).toFixed(0)} s`);
+// as cargo says it, for the count of all tests
+console.log(`test result: ${failed ? 'FAILED' : 'ok'}. ${tests.length - failed} passed; ${failed} failed; finished in ${((performance.now() - begun) / 1e3).toFixed(0)}s`);
 await context.close();
 server.close();
 await rm(profile, { recursive: true, force: true });
