@@ -74,7 +74,7 @@ function told(news) {
         box.hidden = false;
         [box.querySelector('strong').textContent, box.querySelector('p').textContent] = explosion;
         views[exploded].explosion = explosion;
-        say(`${side} sheet: ${explosion[0]}`);
+        box.setAttribute('aria-label', `${side} sheet: ${explosion[0]}`);
     }
     if (news.strain !== undefined) {
         plots.strain.add(news.sheet, news.frame, 100 * news.strain);
@@ -179,8 +179,9 @@ find('reference').addEventListener('change', (event) => { state.page.reference =
 const KEYS = { ' ': () => run(!clock.running), f: step, m: slow, r: restart };
 document.addEventListener('keydown', (event) => {
     const { key, target } = event;
-    const typed = target.closest('button, select, input, summary, [role=button]');
-    if (!(key in KEYS) || event.ctrlKey || event.metaKey || event.altKey || (typed && key === ' ')) return;
+    // letters choose in a select, and space presses what has the focus
+    const own = target.closest(key === ' ' ? 'button, select, input, summary, [role=button]' : 'select');
+    if (!(key in KEYS) || own || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     KEYS[key]();
 });
@@ -214,10 +215,11 @@ function draw() {
         view.draw(QUALITIES[clock.quality], stage.refused[sheet] ? null : stage.held);
         values.digest.textContent = stage.refused[sheet] ? '–' : engine.digest(sheet);
         values.time.textContent = short(stage.times[sheet]);
+        if (clock.picture % 30 !== 0 && clock.running) return;
         const { solver, number } = state.sheets[sheet];
         canvas.setAttribute('aria-label', `${side} sheet: ${label('solver', solver)}, ${label('number', number)}, strain ${values.strain.textContent}`);
     });
-    // plots change slowly
+    // plots change slowly, and names are for readers of screens
     if (clock.picture % 4 === 0 || !clock.running) Object.values(plots).forEach((plot) => plot.draw());
     clock.picture += 1;
 }

@@ -2,13 +2,16 @@
 
 use kerchief::scene::Only;
 use kerchief::{
-    BackwardEuler, Cloth, ForwardEuler, Grid, Leapfrog, Lines, Node, Scalar, Scene, Sheet, Solver, Verlet, Xpbd,
+    BackwardEuler, Cloth, ForwardEuler, Grid, Leapfrog, Lines, Node, Scalar, Scene, Sheet, Solver, Vec3, Verlet, Xpbd,
     measure,
 };
 
 use crate::likeness::{Fate, Likeness, Shown};
 use crate::parts::{self, Forces, Links, Obstacles, Refusal};
 use crate::settings::{self, FRAME, SIZE, Settings, Start};
+
+/// How far a pin is carried in a frame at most, m.
+const STRIDE: f64 = 0.03;
 
 /// A sheet in motion.
 pub trait Moving {
@@ -25,7 +28,7 @@ pub trait Moving {
     fn is_held(&self, node: Node) -> bool;
     /// Grabs a particle by the hand.
     fn grab(&mut self, node: Node);
-    /// Drags what the hand has to a place, m.
+    /// Drags what the hand has to a place, m. A pin is carried there.
     fn drag(&mut self, place: [f64; 3]);
     /// Lets go of what the hand has.
     fn release(&mut self);
@@ -109,6 +112,8 @@ impl<S: Scalar> World<S> {
 /// A scene and its solver's memory, whatever the solver.
 trait Player<S: Scalar, const N: usize> {
     fn play(&mut self, cloth: &mut Cloth<S, N, N>);
+    /// Lets a pin travel to a place in the next frame.
+    fn carry(&self, cloth: &mut Cloth<S, N, N>, pin: Node, place: Vec3<S>);
     fn parts(&mut self) -> (&mut Forces<S>, &mut Links<S>, &mut Obstacles<S>);
 }
 
@@ -120,6 +125,10 @@ struct Played<S: Scalar, V: Solver<S>, const N: usize> {
 impl<S: Scalar, V: Solver<S>, const N: usize> Player<S, N> for Played<S, V, N> {
     fn play(&mut self, cloth: &mut Cloth<S, N, N>) {
         self.scene.step(cloth, &mut self.memory);
+    }
+
+    fn carry(&self, cloth: &mut Cloth<S, N, N>, pin: Node, place: Vec3<S>) {
+        self.scene.move_pin(cloth, pin, place);
     }
 
     fn parts(&mut self) -> (&mut Forces<S>, &mut Links<S>, &mut Obstacles<S>) {
@@ -139,9 +148,26 @@ struct Running<S: Scalar, const N: usize, const FACES: usize> {
     digest: u32,
 }
 
+impl<S: Scalar, const N: usize, const FACES: usize> Running<S, N, FACES> {
+    /// A hand has no force on a pin, and carries it.
+    fn carry(&mut self) {
+        let Some((node, target)) = self.player.parts().0.3.held().filter(|&(node, _)| self.cloth.is_pinned(node))
+        else {
+            return;
+        };
+        let [from, to] = [self.cloth.position.at(node), target].map(|place| self.sheet.metres(place));
+        let way: [f64; 3] = core::array::from_fn(|axis| to[axis] - from[axis]);
+        let length = libm::sqrt(way.into_iter().map(|x| x * x).sum());
+        let part = if length > STRIDE { STRIDE / length } else { 1.0 };
+        let place = self.sheet.place(core::array::from_fn(|axis| from[axis] + part * way[axis]));
+        self.player.carry(&mut self.cloth, node, place);
+    }
+}
+
 impl<S: Scalar, const N: usize, const FACES: usize> Moving for Running<S, N, FACES> {
     fn frame(&mut self) -> Fate {
         if self.likeness.fate() == Fate::Moving {
+            self.carry();
             self.player.play(&mut self.cloth);
             if self.likeness.follow(&self.cloth) == Fate::Moving {
                 self.digest = measure::digest(&self.cloth);
@@ -185,7 +211,10 @@ impl<S: Scalar, const N: usize, const FACES: usize> Moving for Running<S, N, FAC
     }
 
     fn release(&mut self) {
-        self.player.parts().0.3.drop();
+        if let Some(pin) = self.player.parts().0.3.drop().filter(|&node| self.cloth.is_pinned(node)) {
+            // it stays where it is
+            self.cloth.pin(pin);
+        }
     }
 
     fn digest(&self) -> u32 {

@@ -152,6 +152,20 @@ test('a mouse drags a particle, in both sheets', async () => {
     await page.close();
 });
 
+test('a mouse carries a pin', async () => {
+    const page = await open('?run=0&reference=0');
+    const before = [await place(page, 0, 0), await place(page, 0, 1)];
+    const [x, y] = await spot(page, 0, 1);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 40, y + 20, { steps: 2 });
+    await play(page, 20);
+    await page.mouse.up();
+    for (const sheet of [0, 1]) assert.ok(await moved(page, 0, before[sheet], sheet) > 0.04);
+    assert.equal(await held(page), 2);
+    await page.close();
+});
+
 test('a finger drags a particle, two zoom', async () => {
     const page = await open('?run=0&reference=0');
     await play(page, 100);

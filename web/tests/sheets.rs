@@ -77,6 +77,30 @@ fn a_hand_drags_and_a_pin_holds() {
 }
 
 #[test]
+fn a_pin_is_carried_to_its_place_and_stays_there() {
+    let mut sheet = sheet::<Q24>(&Settings::DEFAULT);
+    run(&mut *sheet, 30);
+    let [x, y, z] = sheet.shown().places()[0];
+    let target = [x - 0.1, y + 0.05, z + 0.02];
+    let apart = |sheet: &dyn Moving| {
+        let place = sheet.shown().places()[0];
+        (0..3).map(|axis| (place[axis] - target[axis]).abs()).fold(0.0, f64::max)
+    };
+    sheet.grab(Node::new(0, 0));
+    sheet.drag(target);
+    run(&mut *sheet, 2);
+    assert!(apart(&*sheet) > 0.03, "not all at once");
+    sheet.release();
+    let halfway = apart(&*sheet);
+    run(&mut *sheet, 10);
+    assert_eq!(apart(&*sheet), halfway);
+    sheet.grab(Node::new(0, 0));
+    sheet.drag(target);
+    run(&mut *sheet, 20);
+    assert!(apart(&*sheet) < 1e-6);
+}
+
+#[test]
 fn a_particle_is_picked_where_it_is_seen() {
     let mut sheet = sheet::<f32>(&Settings { start: Start::Curtain, ..Settings::DEFAULT });
     run(&mut *sheet, 10);
