@@ -42,8 +42,8 @@ export class CostPlot {
 
     add({ point, error, time, floor }) {
         if (floor !== undefined) this.floor = floor;
-        // what explodes or is refused has no place here
-        else if (error > 0 && time > 0) this.points.push({ ...this.list[point], error, time });
+        // what is refused, explodes or is about to has no place here
+        else if (error > 0 && error < 1 && time > 0) this.points.push({ ...this.list[point], error, time });
         this.draw();
     }
 

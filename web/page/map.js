@@ -38,7 +38,7 @@ export class StabilityMap {
         foot.append(document.createElement('span'), ...STIFFNESS.map((stiffness) => {
             const head = document.createElement('span');
             head.setAttribute('role', 'columnheader');
-            head.textContent = `× ${stiffness}`;
+            head.textContent = `×${stiffness}`;
             return head;
         }));
         grid.append(foot);

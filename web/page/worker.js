@@ -67,11 +67,11 @@ async function cost(own, { settings, cases }) {
     if (!exact || !coarser) { postMessage({ done: 'cost', failed: true }); return; }
     // of second order: the finer one is off by a third of what both differ by
     postMessage({ floor: Playground.distance(exact.places, coarser.places) / 3 });
-    for (const [point, own_settings] of cases.entries()) {
+    for (const [point, one] of cases.entries()) {
+        const whole = { ...settings, ...one };
         // the first frames of a case are compiled while they run
-        engine.start(CASE, { ...settings, ...own_settings });
-        for (let frame = 0; frame < 2; frame += 1) engine.frame(CASE);
-        const played = await play(own, { ...settings, ...own_settings });
+        if (!engine.start(CASE, whole)) [0, 1].forEach(() => engine.frame(CASE));
+        const played = await play(own, whole);
         if (own !== study) return;
         postMessage({ point, error: played && Playground.distance(played.places, exact.places), time: played?.time });
     }
