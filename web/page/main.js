@@ -225,13 +225,15 @@ function draw() {
 }
 
 function tick(now) {
-    requestAnimationFrame(tick);
+    // not asked for where an error ends the last one: a module that has failed fails again
     const begun = performance.now();
     frames(now);
-    if (!clock.dirty) return;
-    clock.dirty = false;
-    draw();
-    adapt(performance.now() - begun);
+    if (clock.dirty) {
+        clock.dirty = false;
+        draw();
+        adapt(performance.now() - begun);
+    }
+    requestAnimationFrame(tick);
     if (clock.picture % 30 === 0) {
         find('speed').textContent = `A picture takes ${short(clock.spent)} ms; its longer side has ${Math.max(...views[0].size)} pixels.`;
     }

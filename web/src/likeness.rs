@@ -91,14 +91,24 @@ impl<const N: usize, const FACES: usize> Likeness<N, FACES> {
 
     /// Takes over the particles after a frame, unless the sheet has exploded: then the last frame before stays.
     pub fn follow<S: Scalar>(&mut self, particles: &Particles<S, N, N>) -> Fate {
+        self.fate = self.take(particles);
+        self.fate
+    }
+
+    /// Takes over the particles after a substep of the frame in which the sheet explodes. Not where it has exploded already, which is the answer.
+    pub fn approach<S: Scalar>(&mut self, particles: &Particles<S, N, N>) -> bool {
+        self.take(particles) == Fate::Moving
+    }
+
+    fn take<S: Scalar>(&mut self, particles: &Particles<S, N, N>) -> Fate {
         let mut next = Box::new(Particles::BLANK);
         copy(particles, &mut next);
-        self.fate = self.fate_of(&next, if S::FLOATS { f64::INFINITY } else { S::LARGEST });
-        if self.fate == Fate::Moving {
+        let fate = self.fate_of(&next, if S::FLOATS { f64::INFINITY } else { S::LARGEST });
+        if fate == Fate::Moving {
             self.particles = next;
             self.list();
         }
-        self.fate
+        fate
     }
 
     /// Takes over who is held.

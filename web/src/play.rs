@@ -1,9 +1,10 @@
 //! A sheet in motion, whatever its number type, solver and grid.
 
 use kerchief::scene::Only;
+use kerchief::solver::Physics;
 use kerchief::{
-    BackwardEuler, Cloth, ForwardEuler, Grid, Leapfrog, Lines, Node, Scalar, Scene, Sheet, Solver, Vec3, Verlet, Xpbd,
-    measure,
+    BackwardEuler, Cloth, ForwardEuler, Grid, Leapfrog, Lines, Moment, Node, Particles, Scalar, Scene, Sheet, Solver,
+    Units, Vec3, Verlet, Xpbd, measure,
 };
 
 use crate::likeness::{Fate, Likeness, Shown};
@@ -67,7 +68,8 @@ pub fn start<S: Scalar, const N: usize, const FACES: usize>(settings: &Settings)
     };
     let likeness = Likeness::new(settings, settings.substeps, &cloth);
     let digest = measure::digest(&cloth);
-    Ok(Box::new(Running::<S, N, FACES> { sheet, cloth, unpinned, player, likeness, digest }))
+    let before = cloth.clone();
+    Ok(Box::new(Running::<S, N, FACES> { sheet, cloth, before, unpinned, player, likeness, digest }))
 }
 
 /// The sheet at its start, without pins.
@@ -114,6 +116,8 @@ trait Player<S: Scalar, const N: usize> {
     fn play(&mut self, cloth: &mut Cloth<S, N, N>);
     /// Lets a pin travel to a place in the next frame.
     fn carry(&self, cloth: &mut Cloth<S, N, N>, pin: Node, place: Vec3<S>);
+    /// Plays a frame's substeps one by one, for as long as `goes_on` likes what it sees.
+    fn replay(&self, cloth: &mut Cloth<S, N, N>, units: &Units, goes_on: &mut dyn FnMut(&Particles<S, N, N>) -> bool);
     fn parts(&mut self) -> (&mut Forces<S>, &mut Links<S>, &mut Obstacles<S>);
 }
 
@@ -131,6 +135,19 @@ impl<S: Scalar, V: Solver<S>, const N: usize> Player<S, N> for Played<S, V, N> {
         self.scene.move_pin(cloth, pin, place);
     }
 
+    fn replay(&self, cloth: &mut Cloth<S, N, N>, units: &Units, goes_on: &mut dyn FnMut(&Particles<S, N, N>) -> bool) {
+        let Scene { forces, links, colliders, solver, .. } = &self.scene;
+        let mut memory = solver.memory();
+        let substeps = units.substeps;
+        let end = Moment { substep: substeps, substeps, shift: units.shift(), halves: 2 };
+        for substep in 1..=substeps {
+            solver.substep(Physics { forces, links, colliders }, cloth, &mut memory, Moment { substep, ..end });
+            if !goes_on(cloth) {
+                return;
+            }
+        }
+    }
+
     fn parts(&mut self) -> (&mut Forces<S>, &mut Links<S>, &mut Obstacles<S>) {
         let Scene { forces, links, colliders, .. } = &mut self.scene;
         (forces, links, colliders)
@@ -141,6 +158,8 @@ impl<S: Scalar, V: Solver<S>, const N: usize> Player<S, N> for Played<S, V, N> {
 struct Running<S: Scalar, const N: usize, const FACES: usize> {
     sheet: Sheet<S, N, N>,
     cloth: Box<Cloth<S, N, N>>,
+    /// The sheet before the last frame.
+    before: Box<Cloth<S, N, N>>,
     /// Inverse masses of the sheet without pins.
     unpinned: Box<Grid<S, N, N>>,
     player: Box<dyn Player<S, N>>,
@@ -168,9 +187,14 @@ impl<S: Scalar, const N: usize, const FACES: usize> Moving for Running<S, N, FAC
     fn frame(&mut self) -> Fate {
         if self.likeness.fate() == Fate::Moving {
             self.carry();
+            *self.before = *self.cloth;
             self.player.play(&mut self.cloth);
             if self.likeness.follow(&self.cloth) == Fate::Moving {
                 self.digest = measure::digest(&self.cloth);
+            } else {
+                // what is left to be seen is how it exploded
+                let Self { sheet, before, player, likeness, .. } = self;
+                player.replay(before, &sheet.units, &mut |particles| likeness.approach(particles));
             }
         }
         self.likeness.fate()

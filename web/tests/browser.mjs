@@ -59,7 +59,7 @@ async function open(query = '', base = site) {
 
 const tests = [];
 const test = (name, run) => tests.push([name, run]);
-for (const add of [host, hands, controls, outcomes, studies, screen]) add({ test, open, context, expected, out, pictures });
+for (const add of [host, hands, controls, outcomes, studies, screen]) add({ test, open, context, complaints, expected, out, pictures });
 
 let failed = 0;
 const begun = performance.now();

@@ -4,7 +4,7 @@ import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { query } from './look.mjs';
 
-export default function tests({ test, open, expected, out }) {
+export default function tests({ test, open, context, complaints, expected, out }) {
     test('sheets and pictures are those of a host, bit for bit', async () => {
         const page = await open('?run=0&reference=0');
         for (const { query: asked, fate, digest, width, height, pixels } of expected) {
@@ -62,5 +62,15 @@ export default function tests({ test, open, expected, out }) {
         await page.click('#slow');
         assert.equal((await query(page)).get('slow'), '1');
         await page.close();
+    });
+
+    test('a folder that is opened from a disk says what to open', async () => {
+        const page = await context.newPage();
+        await page.goto(pathToFileURL(resolve(out, 'playground/index.html')).href);
+        await page.waitForSelector('#failed:not([hidden])');
+        assert.match(await page.textContent('#failed'), /playground\.html/);
+        await page.close();
+        // the browser's own, of scripts that it does not load
+        complaints.length = 0;
     });
 }
