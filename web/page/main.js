@@ -74,6 +74,7 @@ function told(news) {
         box.hidden = false;
         [box.querySelector('strong').textContent, box.querySelector('p').textContent] = explosion;
         views[exploded].explosion = explosion;
+        if (!news.refused) cards[exploded].values.strain.textContent = `${short(100 * engine.strain(exploded))} %`;
         box.setAttribute('aria-label', `${side} sheet: ${explosion[0]}`);
     }
     if (news.strain !== undefined) {

@@ -34,7 +34,7 @@ export class Stage {
         for (let index = 0; there >= 0 && index < this.state.shared.grid ** 2; index += 1) {
             if (engine.isHeld(there, index)) this.held.add(index);
         }
-        this.explosions.forEach((explosion, sheet) => explosion && this.told({ exploded: sheet, explosion }));
+        this.explosions.forEach((explosion, sheet) => explosion && this.told({ exploded: sheet, explosion, refused: true }));
         this.#follow();
     }
 

@@ -50,6 +50,8 @@ export default function tests({ test, open }) {
             shown: box.getClientRects().length > 0, name: box.querySelector('strong').textContent, why: box.querySelector('p').textContent,
         })));
         assert.ok(left.shown && right.shown);
+        const strain = Number.parseFloat(await page.textContent('.sheet [data-value=strain]'));
+        assert.ok(strain > 50, `it is seen to explode: ${strain} %`);
         const [, product] = left.name.match(/^ω·h = ([\d.]+) > 2$/);
         const exact = await page.evaluate(() => globalThis.playground.stage.frequency / 60 / 16);
         assert.ok(Math.abs(product / exact - 1) < 0.05 && exact > 2, `${left.name} ${exact}`);
