@@ -1,5 +1,8 @@
 // Every control, and the address that says its value.
 import assert from 'node:assert/strict';
+import { readFile, readdir } from 'node:fs/promises';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { frame, play, query } from './look.mjs';
 
 export default function tests({ test, open }) {
@@ -74,6 +77,23 @@ export default function tests({ test, open }) {
         assert.equal((await query(page)).get('reference'), '0');
         await play(page, 20);
         assert.equal(await page.textContent('[data-value=error]'), '–');
+        await page.close();
+    });
+
+    test('the page understands every address in the lessons', async () => {
+        const lessons = fileURLToPath(new URL('../../docs/lessons', import.meta.url));
+        const texts = await Promise.all((await readdir(lessons)).filter((name) => name.endsWith('.md')).map((name) => readFile(join(lessons, name), 'utf8')));
+        const addresses = texts.flatMap((text) => text.match(/(?<=`)\?lesson=[^`]+/g) ?? []);
+        assert.ok(addresses.length >= 10, `${addresses.length}`);
+        const page = await open('?run=0&reference=0');
+        for (const address of addresses) {
+            const { shared, sheets: [left, right], page: own } = await page.evaluate(async (search) => {
+                const { parse } = await import('playground/settings.js');
+                return parse(search);
+            }, address);
+            const known = { ...shared, ...left, ...Object.fromEntries(Object.entries(right).map(([key, value]) => [`${key}2`, value])), ...own };
+            for (const [key, value] of new URLSearchParams(address)) assert.equal(String(known[key]), value, `${key} in ${address}`);
+        }
         await page.close();
     });
 }
