@@ -71,7 +71,8 @@ export class CostPlot {
             parts.push(svg('text', { x: LEFT - 7, y: at + 4, 'text-anchor': 'end' }, power(tick)));
         }
         parts.push(svg('text', { x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 6, 'text-anchor': 'middle' }, 'milliseconds a frame, here'));
-        parts.push(svg('text', { x: 12, y: (TOP + HEIGHT - BOTTOM) / 2, 'text-anchor': 'middle', transform: `rotate(-90 12 ${(TOP + HEIGHT - BOTTOM) / 2})` }, 'error, sizes of the sheet'));
+        const middle = (TOP + HEIGHT - BOTTOM) / 2;
+        parts.push(svg('text', { x: 12, y: middle, 'text-anchor': 'middle', transform: `rotate(-90 12 ${middle})` }, 'error, sizes of the sheet'));
         if (this.floor > 0) parts.push(svg('path', { d: `M${LEFT} ${y.place(this.floor)}H${WIDTH - RIGHT}`, class: 'floor' }));
         const curves = new Map();
         this.points.forEach((point) => {
@@ -93,7 +94,8 @@ export class CostPlot {
         const { solver, number, substeps, error, time } = point;
         const key = `${solver} ${number} ${substeps}`;
         const name = `${label('solver', solver)}, ${label('number', number)}, ${substeps} substeps: error ${short(error)}, ${short(time)} ms a frame`;
-        const attributes = { class: 'point', fill: SOLVER_COLOURS[solver], role: 'button', tabindex: key === focused ? 0 : -1, 'aria-label': name, 'data-key': key };
+        const attributes = { class: 'point', fill: SOLVER_COLOURS[solver], role: 'button', 'aria-label': name, 'data-key': key };
+        attributes.tabindex = key === focused ? 0 : -1;
         if (key === focused) attributes['data-focused'] = '';
         const [cx, cy] = [x.place(time), y.place(error)];
         // fixed point is square

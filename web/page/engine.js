@@ -18,7 +18,7 @@ const REFUSALS = [null, 'gravity', 'drag', 'wind', 'stretch springs', 'shear spr
 const FATES = [null, 'not-finite', 'out-of-range', 'burst'];
 
 export const FRAME = 1 / 60;
-export const SIZE = 0.6;
+const SIZE = 0.6;
 
 const number = (name, value) => (name in LISTS ? LISTS[name].indexOf(value) : Number(value) * (name === 'damping' ? 1e-3 : 1));
 const word = (result) => (result >>> 0).toString(16).padStart(8, '0');

@@ -64,7 +64,8 @@ export function explain(settings, fate, frequency) {
     }
     return [
         OUTCOMES[fate][0].toUpperCase() + OUTCOMES[fate].slice(1),
-        `${label('solver', settings.solver)} is stable for any step where springs are all that acts; what acts besides is taken at the step's start. ω·h = ${short((frequency * FRAME) / settings.substeps)}.`,
+        `${label('solver', settings.solver)} is stable for any step where springs are all that acts; what acts besides is taken at the step's start. `
+        + `ω·h = ${short((frequency * FRAME) / settings.substeps)}.`,
     ];
 }
 

@@ -59,7 +59,7 @@ const PAGE = { lesson: '', run: 1, slow: 0, reference: 1, frames: 0, map: 0, cos
 const KNOWN = new Map([...OWN, ...BOTH, ...LIVE].map((setting) => [setting.key, setting]));
 
 // The nearest value that a control can show.
-export function valid(key, text, otherwise) {
+function valid(key, text, otherwise) {
     const setting = KNOWN.get(key);
     if (setting.kind === 'choice') {
         const found = setting.options.find(([value]) => String(value) === String(text));

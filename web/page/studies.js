@@ -24,6 +24,8 @@ export function studies({ worker, stage, load, find }) {
 
     const buttons = { map: [find('map-run'), find('map-note'), 'Draw the map'], cost: [find('cost-run'), find('cost-note'), 'Draw the plot'] };
     let current = null;
+    // Studies are numbered.
+    let asked = 0;
     // The settings that the map was drawn with.
     let drawn = null;
 
@@ -42,7 +44,8 @@ export function studies({ worker, stage, load, find }) {
     function start(kind, message, total, show) {
         const again = current === kind;
         if (current) {
-            studying.postMessage({ stop: true });
+            asked += 1;
+            studying.postMessage({ study: asked });
             end('stopped');
         }
         if (again) return;
@@ -53,16 +56,18 @@ export function studies({ worker, stage, load, find }) {
         let count = 0;
         shown.textContent = `0 of ${total}`;
         heard = (data) => {
+            // of a study that was stopped
+            if (data.study !== asked) return;
             if (data.done) {
-                if (data.done === kind) end(data.failed ? 'the reference has exploded' : '');
+                end(data.failed ? 'the reference has exploded' : '');
                 return;
             }
-            if (current !== kind) return;
             if (data.floor === undefined) count += 1;
             shown.textContent = `${count} of ${total}`;
             show(data);
         };
-        studying.postMessage(message);
+        asked += 1;
+        studying.postMessage({ ...message, study: asked });
     }
 
     find('map-run').addEventListener('click', () => {

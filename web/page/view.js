@@ -9,7 +9,7 @@ const NUDGE = 0.03;
 // Where all sheets are looked at from.
 export const eye = { azimuth: 28, elevation: 16, distance: 1.9 };
 
-export function turn(right, up) {
+function turn(right, up) {
     eye.azimuth = (eye.azimuth - right + 540) % 360 - 180;
     eye.elevation = Math.min(Math.max(eye.elevation + up, 2), 88);
 }

@@ -3,8 +3,8 @@
 // The first message opens the module: { engine, bytes }. Then
 //   { follow: settings, start }              starts a reference, { frame, events, start } moves it and answers { frame, places, start }
 //   { map: { settings, steps, stiffness } }  answers { cell: [row, column], strain, fate, refused } for each case
-//   { cost: { settings, cases } }            answers { point, error, time } for each case
-// A study ends with { done }, or where another message asks for a study.
+//   { cost: { settings, cases } }            answers { point, error, time } for each case, and { floor }, the error of what they are compared with
+// These two have a number, { study }, which is in all answers. A study ends with { done }, or where a message has another number.
 
 let Playground = null;
 let engine = null;
@@ -38,10 +38,10 @@ async function map(own, { settings, steps, stiffness }) {
                 if (frame % 8 === 0) await breathe();
                 if (own !== study) return;
             }
-            postMessage({ cell: [row, column], strain, fate, refused });
+            postMessage({ study: own, cell: [row, column], strain, fate, refused });
         }
     }
-    postMessage({ done: 'map' });
+    postMessage({ study: own, done: true });
 }
 
 // Plays to the end: places, and seconds a frame; null where it fails.
@@ -64,18 +64,18 @@ async function cost(own, { settings, cases }) {
     const exact = await play(own, Playground.reference(settings, frequency, FINE));
     const coarser = await play(own, Playground.reference(settings, frequency, 2 * FINE));
     if (own !== study) return;
-    if (!exact || !coarser) { postMessage({ done: 'cost', failed: true }); return; }
+    if (!exact || !coarser) { postMessage({ study: own, done: true, failed: true }); return; }
     // of second order: the finer one is off by a third of what both differ by
-    postMessage({ floor: Playground.distance(exact.places, coarser.places) / 3 });
+    postMessage({ study: own, floor: Playground.distance(exact.places, coarser.places) / 3 });
     for (const [point, one] of cases.entries()) {
         const whole = { ...settings, ...one };
         // the first frames of a case are compiled while they run
         if (!engine.start(CASE, whole)) [0, 1].forEach(() => engine.frame(CASE));
         const played = await play(own, whole);
         if (own !== study) return;
-        postMessage({ point, error: played && Playground.distance(played.places, exact.places), time: played?.time });
+        postMessage({ study: own, point, error: played && Playground.distance(played.places, exact.places), time: played?.time });
     }
-    postMessage({ done: 'cost' });
+    postMessage({ study: own, done: true });
 }
 
 function follow({ frame, events, start }) {
@@ -105,7 +105,7 @@ addEventListener('message', ({ data }) => {
         })();
         return;
     }
-    study += data.map || data.cost || data.stop ? 1 : 0;
+    study = data.study ?? study;
     const own = study;
     started.then(() => {
         if (data.follow) {

@@ -44,7 +44,8 @@ export default function tests({ test, open, pictures }) {
         test('pictures of the page', async () => {
             await mkdir(pictures, { recursive: true });
             const shots = [
-                ['desktop', 1280, 800, '?wind=2&frames=70'], ['ball', 1280, 800, '?start=ball&frames=60&grid=32'], ['explosion', 1280, 800, '?frames=80&solver=leapfrog&substeps=16'],
+                ['desktop', 1280, 800, '?wind=2&frames=70'], ['ball', 1280, 800, '?start=ball&frames=60&grid=32'],
+                ['explosion', 1280, 800, '?frames=80&solver=leapfrog&substeps=16'],
                 ['phone', 390, 844, '?frames=60&lesson=4'], ['phone-explosion', 390, 844, '?frames=60&solver=leapfrog&substeps=16'],
             ];
             for (const [name, width, height, asked] of shots) {

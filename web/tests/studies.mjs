@@ -46,7 +46,9 @@ export default function tests({ test, open }) {
         await page.waitForFunction(() => document.getElementById('cost-run').textContent !== 'Stop', null, { timeout: 40_000 });
         const points = await page.evaluate(() => [...document.querySelectorAll('#cost .point')].map((point) => point.dataset.key));
         assert.ok(points.length > 20, `${points.length}`);
-        const errors = await page.evaluate(() => [...document.querySelectorAll('#cost .point')].map((point) => [point.dataset.key, Number(point.getAttribute('cy') ?? point.getAttribute('y'))]));
+        const errors = await page.evaluate(() => [...document.querySelectorAll('#cost .point')].map((point) => (
+            [point.dataset.key, Number(point.getAttribute('cy') ?? point.getAttribute('y'))]
+        )));
         const of = (key) => errors.find(([name]) => name === key)[1];
         assert.ok(of('lines q24 1') < of('lines q24 8') && of('xpbd f32 1') < of('xpbd f32 64'), 'lower on the page is less');
         // points may lie on each other
