@@ -8,7 +8,7 @@ export const SOLVER_COLOURS = {
     lines: '#b22226', xpbd: '#26548c', leapfrog: '#2d7d5a', 'backward-euler': '#8a5a9e', verlet: '#c97b1f', 'forward-euler': '#6f6a61',
 };
 const SWEEPS = { lines: 2, verlet: 15 };
-const [WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM] = [520, 340, 54, 14, 12, 40];
+const [WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM] = [520, 340, 66, 14, 12, 40];
 
 const svg = (tag, attributes, text) => {
     const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
@@ -72,7 +72,7 @@ export class CostPlot {
         }
         parts.push(svg('text', { x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 6, 'text-anchor': 'middle' }, 'milliseconds a frame, here'));
         const middle = (TOP + HEIGHT - BOTTOM) / 2;
-        parts.push(svg('text', { x: 12, y: middle, 'text-anchor': 'middle', transform: `rotate(-90 12 ${middle})` }, 'error, sizes of the sheet'));
+        parts.push(svg('text', { x: 16, y: middle, 'text-anchor': 'middle', transform: `rotate(-90 16 ${middle})` }, 'error, sizes of the sheet'));
         if (this.floor > 0) parts.push(svg('path', { d: `M${LEFT} ${y.place(this.floor)}H${WIDTH - RIGHT}`, class: 'floor' }));
         const curves = new Map();
         this.points.forEach((point) => {
