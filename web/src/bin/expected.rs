@@ -1,0 +1,58 @@
+//! Prints what a page has to show, as JSON: digests and pixels of the same sheets, played and drawn on a host.
+
+use std::io::{Result, Write, stdout};
+
+use kerchief::{Q13, Q24, Scalar};
+use playground::eye::Eye;
+use playground::frame::Frame;
+use playground::play;
+use playground::settings::{Number, Settings, Solver, Start};
+
+/// Frames that are played.
+const FRAMES: u32 = 40;
+/// Pixels of the picture.
+const PICTURE: (u32, u32) = (240, 180);
+
+fn main() -> Result<()> {
+    let mut out = stdout().lock();
+    let mut lines = Vec::new();
+    for solver in Solver::ALL {
+        // in steps that are short enough for each
+        let substeps = match solver {
+            Solver::ForwardEuler | Solver::Leapfrog => 64,
+            _ => 6,
+        };
+        let settings = Settings { solver, substeps, wind: 2.0, ball: true, ..Settings::DEFAULT };
+        lines.push(line::<f32>(&settings, Number::F32, "f32"));
+        lines.push(line::<f64>(&settings, Number::F64, "f64"));
+        lines.push(line::<Q24>(&settings, Number::Q24, "q24"));
+        lines.push(line::<Q13>(&settings, Number::Q13, "q13"));
+    }
+    writeln!(out, "[\n{}\n]", lines.join(",\n"))
+}
+
+/// A sheet's settings as the page's address says them, and what it has to show.
+fn line<S: Scalar>(settings: &Settings, number: Number, name: &str) -> String {
+    let settings = Settings { number, ..*settings };
+    let mut sheet = match play::start::<S, 16, 4>(&settings) {
+        Ok(sheet) => sheet,
+        Err(refusal) => panic!("{name} does not represent {refusal:?}"),
+    };
+    for _ in 0..FRAMES {
+        sheet.frame();
+    }
+    let mut frame = Frame::default();
+    let (width, height) = PICTURE;
+    frame.resize(width, height);
+    sheet.shown().draw(&Eye::DEFAULT, false, &mut frame);
+    let Settings { solver, substeps, start, wind, .. } = settings;
+    assert!(start == Start::Corners && settings.ball, "what the address below says");
+    let query =
+        format!("solver={}&number={name}&substeps={substeps}&wind={wind}&ball=1&frames={FRAMES}", solver.name());
+    format!(
+        "{{ \"query\": \"{query}\", \"fate\": {}, \"digest\": \"{:08x}\", \"width\": {width}, \"height\": {height}, \"pixels\": \"{:08x}\" }}",
+        sheet.shown().fate() as u32,
+        sheet.digest(),
+        frame.hash()
+    )
+}

@@ -1,0 +1,119 @@
+//! The functions that the page calls.
+//!
+//! Sheets are 0, the left one, and 1, the right one. Particles are counted row by row. Results that don't fit a number are read from the module's memory at the
+//! address that a function returns.
+
+#![allow(unsafe_code, reason = "a function that the page finds by its name; the name is this module's alone")]
+
+use std::cell::RefCell;
+
+use embedded_graphics::geometry::{Point, Size};
+
+use crate::world::World;
+
+thread_local! {
+    static WORLD: RefCell<World> = const { RefCell::new(World::new()) };
+}
+
+fn world<T>(act: impl FnOnce(&mut World) -> T) -> T {
+    WORLD.with_borrow_mut(act)
+}
+
+macro_rules! exports {
+    ($($(#[$doc:meta])* fn $name:ident($world:ident $(, $argument:ident: $kind:ty)*) $(-> $result:ty)? $body:block)*) => {$(
+        $(#[$doc])*
+        #[unsafe(no_mangle)]
+        extern "C" fn $name($($argument: $kind),*) $(-> $result)? {
+            world(|$world| $body)
+        }
+    )*};
+}
+
+exports! {
+    /// Says something of the sheet that starts or changes next: see `Settings::set`.
+    fn set(world, parameter: u32, value: f64) { world.settings.set(parameter, value) }
+
+    /// Starts a sheet. Not 0: what its number type does not represent.
+    fn start(world, sheet: usize) -> u32 { world.start(sheet) }
+
+    /// Changes a sheet while it moves. Not 0: what its number type does not represent.
+    fn change(world, sheet: usize) -> u32 { world.change(sheet) }
+
+    /// Moves a sheet by a frame, and says what has become of it: see `Fate`.
+    fn frame(world, sheet: usize) -> u32 { world.sheet(sheet).frame() as u32 }
+
+    /// What has become of a sheet.
+    fn fate(world, sheet: usize) -> u32 { world.fate(sheet) as u32 }
+
+    /// Holds a particle, or lets it go.
+    fn hold(world, sheet: usize, index: usize, held: u32) {
+        let node = world.node(sheet, index);
+        world.sheet(sheet).hold(node, held != 0);
+    }
+
+    /// Whether a particle is held.
+    fn is_held(world, sheet: usize, index: usize) -> u32 {
+        let node = world.node(sheet, index);
+        u32::from(world.sheet(sheet).is_held(node))
+    }
+
+    /// Grabs a particle.
+    fn grab(world, sheet: usize, index: usize) {
+        let node = world.node(sheet, index);
+        world.sheet(sheet).grab(node);
+    }
+
+    /// Drags what is grabbed to a place, m.
+    fn drag(world, sheet: usize, x: f64, y: f64, z: f64) { world.sheet(sheet).drag([x, y, z]) }
+
+    /// Lets go of what is grabbed.
+    fn release(world, sheet: usize) { world.sheet(sheet).release() }
+
+    /// The digest of a sheet.
+    fn digest(world, sheet: usize) -> u32 { world.sheet(sheet).digest() }
+
+    /// The largest strain of a link.
+    fn strain(world, sheet: usize) -> f64 { world.sheet(sheet).shown().strain().largest }
+
+    /// The sheet's energy, J.
+    fn energy(world, sheet: usize) -> f64 { world.sheet(sheet).shown().energy() }
+
+    /// The sheet's highest angular frequency, 1/s.
+    fn frequency(world, sheet: usize) -> f64 { world.sheet(sheet).shown().frequency() }
+
+    /// The address of all places: three 64-bit floats a particle, m.
+    fn places(world, sheet: usize) -> usize { world.sheet(sheet).shown().places().as_ptr().addr() }
+
+    /// Looks from another side: degrees, m.
+    fn look(world, azimuth: f64, elevation: f64, distance: f64) {
+        world.eye.azimuth = azimuth;
+        world.eye.elevation = elevation;
+        world.eye.distance = distance;
+    }
+
+    /// Draws a sheet: the address of the pixels, four bytes each.
+    fn draw(world, sheet: usize, width: u32, height: u32) -> usize {
+        world.draw(sheet, width, height);
+        world.frame.bytes().as_ptr().addr()
+    }
+
+    /// The hash of the last picture.
+    fn hash(world) -> u32 { world.frame.hash() }
+
+    /// The particle under a pixel, or −1.
+    fn pick(world, sheet: usize, width: u32, height: u32, x: i32, y: i32) -> i32 {
+        world.pick(sheet, Size::new(width, height), Point::new(x, y))
+    }
+
+    /// The address of the place (three 64-bit floats, m) under a pixel that is nearest to another one.
+    fn under(world, sheet: usize, width: u32, height: u32, x: i32, y: i32, px: f64, py: f64, pz: f64) -> usize {
+        world.place = [px, py, pz];
+        world.drag_under(sheet, Size::new(width, height), Point::new(x, y));
+        world.place.as_ptr().addr()
+    }
+
+    /// Where a particle is seen: its column in the upper half, its row in the lower; −1 for nowhere.
+    fn pixel(world, sheet: usize, width: u32, height: u32, index: usize) -> i32 {
+        world.pixel(sheet, Size::new(width, height), index)
+    }
+}

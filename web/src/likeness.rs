@@ -1,0 +1,241 @@
+//! A sheet's copy in `f64`, of which everything is made that is shown of it: measures, explosions, pictures. So those are compiled once for each grid, not for each
+//! number type and solver too.
+
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::pixelcolor::Rgb888;
+use kerchief::material::Springs;
+use kerchief::measure::{self, Strain};
+use kerchief::render::pattern::{Border, CELL, Gingham, Width};
+use kerchief::render::{Ball, Ground, Light, Look, Shaded, Shadow};
+use kerchief::{Grid, Node, Particles, Scalar, Sheet, Vec3};
+
+use crate::eye::Eye;
+use crate::frame::Frame;
+use crate::frequency;
+use crate::parts::{self, BALL, Links};
+use crate::settings::{SIZE, Settings};
+
+/// What has become of a sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// It moves.
+    Moving = 0,
+    /// A number is infinite or undefined.
+    NotFinite,
+    /// A particle has left the range of fixed point, and comes back from the other end.
+    OutOfRange,
+    /// Links are several times too long, and a particle is far away.
+    Burst,
+}
+
+/// A sheet is burst where a link is strained by so much, and a particle so many sizes from the origin.
+const STRAINED: f64 = 5.0;
+const FAR: f64 = 20.0;
+/// Where a particle that is even further is drawn, cells from the origin.
+const FURTHEST: f64 = 512.0;
+
+/// Threads, and the plain border: of the left sheet and of the right one.
+const TONES: [[Rgb888; 2]; 2] =
+    [[Rgb888::new(250, 240, 226), Rgb888::new(178, 34, 38)], [Rgb888::new(244, 242, 234), Rgb888::new(38, 84, 140)]];
+const BALL_TONE: Rgb888 = Rgb888::new(128, 132, 130);
+const SHADOW: Rgb888 = Rgb888::new(172, 164, 154);
+/// What the floor reflects: cloth is mostly seen from the side or from below.
+const REFLECTED: Rgb888 = Rgb888::new(140, 130, 122);
+/// Bands of the pattern along a side.
+const BANDS: i32 = 15;
+
+/// The copy of a sheet of `N × N` particles, which is drawn with `FACES × FACES` faces a cell.
+#[derive(Debug)]
+pub struct Likeness<const N: usize, const FACES: usize> {
+    sheet: Sheet<f64, N, N>,
+    links: Links<f64>,
+    springs: Springs,
+    particles: Box<Particles<f64, N, N>>,
+    gravity: [f64; 3],
+    ball: Option<[f64; 3]>,
+    places: Vec<[f64; 3]>,
+    fate: Fate,
+}
+
+impl<const N: usize, const FACES: usize> Likeness<N, FACES> {
+    /// The copy of a sheet.
+    pub fn new<S: Scalar>(settings: &Settings, substeps: u32, particles: &Particles<S, N, N>) -> Self {
+        let sheet = Sheet::<f64, N, N>::of(&settings.material(), [SIZE; 2], crate::settings::FRAME, substeps);
+        let springs = parts::stiffness(&sheet, settings);
+        let links = (
+            sheet.damped(sheet.stretch(springs.stretch), 0.0),
+            settings.shear.then(|| sheet.damped(sheet.shear(springs.shear), 0.0)),
+            settings.bend.then(|| sheet.damped(sheet.bend(springs.bend), 0.0)),
+        );
+        let mut likeness = Self {
+            sheet,
+            links,
+            springs,
+            particles: Box::new(Particles::BLANK),
+            gravity: [0.0; 3],
+            ball: None,
+            places: Vec::new(),
+            fate: Fate::Moving,
+        };
+        likeness.change(settings);
+        copy(particles, &mut likeness.particles);
+        likeness.list();
+        likeness
+    }
+
+    /// Takes over what changes while a sheet moves.
+    pub fn change(&mut self, settings: &Settings) {
+        self.gravity = settings.gravity();
+        self.ball = settings.ball.then(|| settings.start.ball());
+    }
+
+    /// Takes over the particles after a frame, unless the sheet has exploded: then the last frame before stays.
+    pub fn follow<S: Scalar>(&mut self, particles: &Particles<S, N, N>) -> Fate {
+        self.fate = self.take(particles);
+        self.fate
+    }
+
+    /// Takes over the particles after a substep of the frame in which the sheet explodes. Not where it has exploded already, which is the answer.
+    pub fn approach<S: Scalar>(&mut self, particles: &Particles<S, N, N>) -> bool {
+        self.take(particles) == Fate::Moving
+    }
+
+    fn take<S: Scalar>(&mut self, particles: &Particles<S, N, N>) -> Fate {
+        let mut next = Box::new(Particles::BLANK);
+        copy(particles, &mut next);
+        let fate = self.fate_of(&next, if S::FLOATS { f64::INFINITY } else { S::LARGEST });
+        if fate == Fate::Moving {
+            self.particles = next;
+            self.list();
+        }
+        fate
+    }
+
+    /// Takes over who is held.
+    pub fn hold(&mut self, node: Node, inverse_mass: f64) {
+        self.particles.inverse_mass[node] = inverse_mass;
+        if inverse_mass == 0.0 {
+            self.particles.velocity.set(node, Vec3::ZERO);
+        }
+    }
+
+    fn list(&mut self) {
+        self.places.clear();
+        self.places.extend(self.particles.position.values().map(|place| self.sheet.metres(place)));
+    }
+
+    fn fate_of(&self, next: &Particles<f64, N, N>, range: f64) -> Fate {
+        if !measure::is_finite(next) {
+            return Fate::NotFinite;
+        }
+        let mut ways = self.particles.position.values().zip(next.position.values());
+        // halfway round, or it did not come this way
+        if ways.any(|(from, to)| largest(to - from) > range) {
+            return Fate::OutOfRange;
+        }
+        let furthest = next.position.values().map(largest).fold(0.0, f64::max);
+        let is_far = furthest * self.sheet.units.cell > FAR * SIZE;
+        if is_far && measure::strain(next, &self.links).largest > STRAINED { Fate::Burst } else { Fate::Moving }
+    }
+
+    /// The sheet as it is drawn and picked.
+    fn drawn(&self) -> Particles<f32, N, N> {
+        let near = |cells: f64| cells.clamp(-FURTHEST, FURTHEST);
+        let mut drawn = Particles::BLANK;
+        for node in Grid::<f32, N, N>::nodes() {
+            drawn.position.set(node, Vec3::from_f64(self.particles.position.at(node).to_f64().map(near)));
+        }
+        drawn
+    }
+}
+
+/// What is shown of a sheet, whatever its grid.
+pub trait Shown {
+    /// What has become of the sheet.
+    fn fate(&self) -> Fate;
+    /// Where the particles are, m, row by row.
+    fn places(&self) -> &[[f64; 3]];
+    /// By how much links differ from their rest length.
+    fn strain(&self) -> Strain<f64>;
+    /// Kinetic, gravitational and elastic energy together, J.
+    fn energy(&self) -> f64;
+    /// The highest angular frequency of the sheet, 1/s.
+    fn frequency(&self) -> f64;
+    /// Draws the sheet, the ball and the floor, in the colours of the left sheet or of the right one.
+    fn draw(&self, eye: &Eye, right: bool, frame: &mut Frame);
+    /// The particle under a pixel, or the nearest one to it.
+    fn pick(&self, eye: &Eye, screen: Size, pixel: Point) -> Option<Node>;
+    /// The point (m) under a pixel that is nearest to `place` (m).
+    fn under(&self, eye: &Eye, screen: Size, pixel: Point, place: [f64; 3]) -> [f64; 3];
+    /// The pixel at which a particle is seen.
+    fn pixel(&self, eye: &Eye, screen: Size, node: Node) -> Option<Point>;
+}
+
+impl<const N: usize, const FACES: usize> Shown for Likeness<N, FACES> {
+    fn fate(&self) -> Fate {
+        self.fate
+    }
+
+    fn places(&self) -> &[[f64; 3]] {
+        &self.places
+    }
+
+    fn strain(&self) -> Strain<f64> {
+        measure::strain(&*self.particles, &self.links)
+    }
+
+    fn energy(&self) -> f64 {
+        let Self { sheet, links, particles, gravity, .. } = self;
+        measure::kinetic_energy(particles, &sheet.units)
+            + measure::gravitational_energy(particles, &sheet.units, *gravity)
+            + measure::elastic_energy(particles, &sheet.units, links)
+    }
+
+    fn frequency(&self) -> f64 {
+        let inverse: Vec<f64> =
+            self.particles.inverse_mass.values().map(|inverse| inverse / self.sheet.units.mass).collect();
+        frequency::highest(N, &inverse, &self.springs)
+    }
+
+    fn draw(&self, eye: &Eye, right: bool, frame: &mut Frame) {
+        let units = &self.sheet.units;
+        let camera = eye.camera(units, embedded_graphics::geometry::OriginDimensions::size(frame));
+        let ball = self.ball.map(|centre| Ball::new(units.point(centre), units.length(BALL), BALL_TONE));
+        let ground = Ground::new(units.point([0.0; 3]), units.length(1.5)).tiles(units.length(0.15));
+        let ground = ground.shadow(Shadow::<96>::new(SHADOW).soften(3));
+        let width = Width::parts(CELL * (N as i32 - 1) / BANDS);
+        let tones = TONES[usize::from(right)];
+        let pattern = Border { width, tone: tones[1], inner: Gingham { width, tones } };
+        let light = Light { ground: REFLECTED, ..Light::new(eye.azimuth - 40.0, 36.0) };
+        let look = Look::new(light, pattern).solids(ball.as_slice()).backdrop(ground);
+        let Ok(()) = Shaded::<_, N, N>::new(look).smooth::<FACES>().draw(&self.drawn(), &camera, frame);
+    }
+
+    fn pick(&self, eye: &Eye, screen: Size, pixel: Point) -> Option<Node> {
+        let units = &self.sheet.units;
+        let (ray, drawn) = (eye.camera(units, screen).ray(pixel), self.drawn());
+        let near = units.length(0.03);
+        ray.hit(&drawn).map(|hit| hit.node()).or_else(|| ray.nearest(&drawn, near))
+    }
+
+    fn under(&self, eye: &Eye, screen: Size, pixel: Point, place: [f64; 3]) -> [f64; 3] {
+        let units = &self.sheet.units;
+        units.metres(eye.camera(units, screen).ray(pixel).foot(units.point(place).to_vec()))
+    }
+
+    fn pixel(&self, eye: &Eye, screen: Size, node: Node) -> Option<Point> {
+        eye.camera(&self.sheet.units, screen).project(Vec3::from_f64(self.particles.position.at(node).to_f64()))
+    }
+}
+
+fn largest(vector: Vec3<f64>) -> f64 {
+    vector.to_f64().into_iter().fold(0.0, |largest, component| largest.max(component.abs()))
+}
+
+fn copy<S: Scalar, const N: usize>(from: &Particles<S, N, N>, to: &mut Particles<f64, N, N>) {
+    for node in Grid::<S, N, N>::nodes() {
+        to.position.set(node, Vec3::from_f64(from.position.at(node).to_f64()));
+        to.velocity.set(node, Vec3::from_f64(from.velocity.at(node).to_f64()));
+        to.inverse_mass[node] = from.inverse_mass[node].to_f64();
+    }
+}

@@ -1,0 +1,251 @@
+//! A sheet in motion, whatever its number type, solver and grid.
+
+use kerchief::scene::Only;
+use kerchief::solver::Physics;
+use kerchief::{
+    BackwardEuler, Cloth, ForwardEuler, Grid, Leapfrog, Lines, Moment, Node, Particles, Scalar, Scene, Sheet, Solver,
+    Units, Vec3, Verlet, Xpbd, measure,
+};
+
+use crate::likeness::{Fate, Likeness, Shown};
+use crate::parts::{self, Forces, Links, Obstacles, Refusal};
+use crate::settings::{self, FRAME, SIZE, Settings, Start};
+
+/// How far a pin is carried in a frame at most, m.
+const STRIDE: f64 = 0.03;
+
+/// A sheet in motion.
+pub trait Moving {
+    /// Moves on by one frame, unless the sheet has exploded.
+    fn frame(&mut self) -> Fate;
+    /// Takes over what may change while the sheet moves: stiffness, damping, drag, wind, gravity, ball.
+    ///
+    /// # Errors
+    /// Where the number type does not represent it: nothing has changed then.
+    fn change(&mut self, settings: &Settings) -> Result<(), Refusal>;
+    /// Holds a particle where it is, or lets it go.
+    fn hold(&mut self, node: Node, held: bool);
+    /// Whether a particle is held.
+    fn is_held(&self, node: Node) -> bool;
+    /// Grabs a particle by the hand.
+    fn grab(&mut self, node: Node);
+    /// Drags what the hand has to a place, m. A pin is carried there.
+    fn drag(&mut self, place: [f64; 3]);
+    /// Lets go of what the hand has.
+    fn release(&mut self);
+    /// The digest of the last frame that had not exploded: see [`measure::digest`].
+    fn digest(&self) -> u32;
+    /// What is shown of it.
+    fn shown(&self) -> &dyn Shown;
+}
+
+/// A sheet of `N × N` particles, drawn with `FACES × FACES` faces a cell, at its start.
+///
+/// # Errors
+/// Where the number type does not represent a constant.
+pub fn start<S: Scalar, const N: usize, const FACES: usize>(settings: &Settings) -> Result<Box<dyn Moving>, Refusal> {
+    let sheet = Sheet::<S, N, N>::of(&settings.material(), [SIZE; 2], FRAME, settings.substeps);
+    let mut cloth = Box::new(lie(&sheet, settings.start));
+    cloth.share_area();
+    let unpinned = Box::new(cloth.inverse_mass);
+    for node in pins::<N>(settings.start) {
+        cloth.pin(node);
+    }
+    let (gravity, drag, wind) = parts::weather(&sheet, settings)?;
+    let world = World {
+        forces: (gravity, drag, wind, parts::hand(&sheet, settings)),
+        links: parts::links(&sheet, settings)?,
+        obstacles: (parts::ball(&sheet, settings), parts::floor(&sheet)),
+    };
+    let sweeps = settings.sweeps;
+    let player = match settings.solver {
+        settings::Solver::Lines => world.played(&sheet, Lines::with_sweeps(sweeps)),
+        settings::Solver::Xpbd => world.played(&sheet, Xpbd::new()),
+        settings::Solver::Leapfrog => world.played(&sheet, Leapfrog::new()),
+        settings::Solver::BackwardEuler => world.played(&sheet, BackwardEuler { newton_steps: sweeps }),
+        settings::Solver::Verlet => world.played(&sheet, Verlet { sweeps }),
+        settings::Solver::ForwardEuler => world.played(&sheet, ForwardEuler::new()),
+    };
+    let likeness = Likeness::new(settings, settings.substeps, &cloth);
+    let digest = measure::digest(&cloth);
+    let before = cloth.clone();
+    Ok(Box::new(Running::<S, N, FACES> { sheet, cloth, before, unpinned, player, likeness, digest }))
+}
+
+/// The sheet at its start, without pins.
+fn lie<S: Scalar, const N: usize>(sheet: &Sheet<S, N, N>, start: Start) -> Cloth<S, N, N> {
+    let half = 0.5 * SIZE;
+    match start {
+        Start::Corners => sheet.lay([-half, -half, SIZE + 0.05]),
+        Start::Curtain | Start::Flag => sheet.hang([-half, 0.0, SIZE + 0.05]),
+        Start::Ball => sheet.lay([-half, -half, 0.45]),
+    }
+}
+
+/// Who is held at the start.
+fn pins<const N: usize>(start: Start) -> impl Iterator<Item = Node> {
+    Grid::<(), N, N>::nodes().filter(move |node| match start {
+        Start::Corners => node.row == 0 && (node.column == 0 || node.column + 1 == N),
+        Start::Curtain => node.row == 0,
+        Start::Flag => node.column == 0,
+        Start::Ball => false,
+    })
+}
+
+/// All that acts on a sheet.
+struct World<S: Scalar> {
+    forces: Forces<S>,
+    links: Links<S>,
+    obstacles: Obstacles<S>,
+}
+
+impl<S: Scalar> World<S> {
+    fn played<V, const N: usize>(self, sheet: &Sheet<S, N, N>, solver: V) -> Box<dyn Player<S, N>>
+    where
+        V: Solver<S> + 'static,
+        V::Memory<Links<S>, N, N>: 'static,
+    {
+        let scene = sheet.scene(self.forces, self.links, self.obstacles, solver);
+        let memory = scene.memory();
+        Box::new(Played { scene, memory })
+    }
+}
+
+/// A scene and its solver's memory, whatever the solver.
+trait Player<S: Scalar, const N: usize> {
+    fn play(&mut self, cloth: &mut Cloth<S, N, N>);
+    /// Lets a pin travel to a place in the next frame.
+    fn carry(&self, cloth: &mut Cloth<S, N, N>, pin: Node, place: Vec3<S>);
+    /// Plays a frame's substeps one by one, for as long as `goes_on` likes what it sees.
+    fn replay(&self, cloth: &mut Cloth<S, N, N>, units: &Units, goes_on: &mut dyn FnMut(&Particles<S, N, N>) -> bool);
+    fn parts(&mut self) -> (&mut Forces<S>, &mut Links<S>, &mut Obstacles<S>);
+}
+
+struct Played<S: Scalar, V: Solver<S>, const N: usize> {
+    scene: Scene<Forces<S>, Links<S>, Obstacles<S>, V, Only<S, N, N>>,
+    memory: V::Memory<Links<S>, N, N>,
+}
+
+impl<S: Scalar, V: Solver<S>, const N: usize> Player<S, N> for Played<S, V, N> {
+    fn play(&mut self, cloth: &mut Cloth<S, N, N>) {
+        self.scene.step(cloth, &mut self.memory);
+    }
+
+    fn carry(&self, cloth: &mut Cloth<S, N, N>, pin: Node, place: Vec3<S>) {
+        self.scene.move_pin(cloth, pin, place);
+    }
+
+    fn replay(&self, cloth: &mut Cloth<S, N, N>, units: &Units, goes_on: &mut dyn FnMut(&Particles<S, N, N>) -> bool) {
+        let Scene { forces, links, colliders, solver, .. } = &self.scene;
+        let mut memory = solver.memory();
+        let substeps = units.substeps;
+        let end = Moment { substep: substeps, substeps, shift: units.shift(), halves: 2 };
+        for substep in 1..=substeps {
+            solver.substep(Physics { forces, links, colliders }, cloth, &mut memory, Moment { substep, ..end });
+            if !goes_on(cloth) {
+                return;
+            }
+        }
+    }
+
+    fn parts(&mut self) -> (&mut Forces<S>, &mut Links<S>, &mut Obstacles<S>) {
+        let Scene { forces, links, colliders, .. } = &mut self.scene;
+        (forces, links, colliders)
+    }
+}
+
+/// A sheet of one number type and grid.
+struct Running<S: Scalar, const N: usize, const FACES: usize> {
+    sheet: Sheet<S, N, N>,
+    cloth: Box<Cloth<S, N, N>>,
+    /// The sheet before the last frame.
+    before: Box<Cloth<S, N, N>>,
+    /// Inverse masses of the sheet without pins.
+    unpinned: Box<Grid<S, N, N>>,
+    player: Box<dyn Player<S, N>>,
+    likeness: Likeness<N, FACES>,
+    digest: u32,
+}
+
+impl<S: Scalar, const N: usize, const FACES: usize> Running<S, N, FACES> {
+    /// A hand has no force on a pin, and carries it.
+    fn carry(&mut self) {
+        let Some((node, target)) = self.player.parts().0.3.held().filter(|&(node, _)| self.cloth.is_pinned(node))
+        else {
+            return;
+        };
+        let [from, to] = [self.cloth.position.at(node), target].map(|place| self.sheet.metres(place));
+        let way: [f64; 3] = core::array::from_fn(|axis| to[axis] - from[axis]);
+        let length = libm::sqrt(way.into_iter().map(|x| x * x).sum());
+        let part = if length > STRIDE { STRIDE / length } else { 1.0 };
+        let place = self.sheet.place(core::array::from_fn(|axis| from[axis] + part * way[axis]));
+        self.player.carry(&mut self.cloth, node, place);
+    }
+}
+
+impl<S: Scalar, const N: usize, const FACES: usize> Moving for Running<S, N, FACES> {
+    fn frame(&mut self) -> Fate {
+        if self.likeness.fate() == Fate::Moving {
+            self.carry();
+            *self.before = *self.cloth;
+            self.player.play(&mut self.cloth);
+            if self.likeness.follow(&self.cloth) == Fate::Moving {
+                self.digest = measure::digest(&self.cloth);
+            } else {
+                // what is left to be seen is how it exploded
+                let Self { sheet, before, player, likeness, .. } = self;
+                player.replay(before, &sheet.units, &mut |particles| likeness.approach(particles));
+            }
+        }
+        self.likeness.fate()
+    }
+
+    fn change(&mut self, settings: &Settings) -> Result<(), Refusal> {
+        let links = parts::links(&self.sheet, settings)?;
+        let (gravity, drag, wind) = parts::weather(&self.sheet, settings)?;
+        let (forces, held, obstacles) = self.player.parts();
+        (forces.0, forces.1, forces.2) = (gravity, drag, wind);
+        *held = links;
+        obstacles.0 = parts::ball(&self.sheet, settings);
+        self.likeness.change(settings);
+        Ok(())
+    }
+
+    fn hold(&mut self, node: Node, held: bool) {
+        if held {
+            self.cloth.pin(node);
+        } else {
+            self.cloth.release(node, self.unpinned[node]);
+        }
+        self.likeness.hold(node, self.cloth.inverse_mass[node].to_f64());
+    }
+
+    fn is_held(&self, node: Node) -> bool {
+        self.cloth.is_pinned(node)
+    }
+
+    fn grab(&mut self, node: Node) {
+        self.player.parts().0.3.grab(&self.cloth, node);
+    }
+
+    fn drag(&mut self, place: [f64; 3]) {
+        // no further than fixed point goes
+        let place = place.map(|metres| metres.clamp(-2.0 * SIZE, 2.0 * SIZE));
+        self.player.parts().0.3.drag_to(self.sheet.place(place));
+    }
+
+    fn release(&mut self) {
+        if let Some(pin) = self.player.parts().0.3.drop().filter(|&node| self.cloth.is_pinned(node)) {
+            // it stays where it is
+            self.cloth.pin(pin);
+        }
+    }
+
+    fn digest(&self) -> u32 {
+        self.digest
+    }
+
+    fn shown(&self) -> &dyn Shown {
+        &self.likeness
+    }
+}
