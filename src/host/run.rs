@@ -193,10 +193,13 @@ impl Description {
     }
 }
 
+/// What is played.
+type Played<S, P> = Scene<Forces<S, P>, SceneLinks<S, P>, <P as Parts<S>>::Obstacles, SceneSolver<S>>;
+
 struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     units: Units,
     gravity: [f64; 3],
-    scene: Scene<Forces<S, P>, SceneLinks<S, P>, P::Obstacles, SceneSolver<S>>,
+    scene: Played<S, P>,
     cloth: Box<Cloth<S, W, H>>,
     /// Inverse masses of the sheet without pins.
     unpinned: Box<Grid<S, W, H>>,

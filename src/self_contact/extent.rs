@@ -139,11 +139,25 @@ impl Flatness {
             square += u[axis] * u[axis];
         }
         let across = most[1].max(-most[0]);
-        let apart = i64::from(self.least[family] * least - self.most[1 - family] * across);
+        let apart = self.least[family] * least - self.most[1 - family] * across;
         // in 1/16 of what edges are counted in
-        let reach = i64::from(16 * (reach + 1) >> EDGE_SHIFT);
-        apart > 0 && apart * apart >= reach * reach * i64::from(square)
+        let reach = (16 * (reach + 1)) >> EDGE_SHIFT;
+        // in 32 bits, which no processor puts together from halves
+        4 * apart >= reach * root_above(16 * square)
     }
+}
+
+/// The least whole number whose square is above `square` (≤ 2²⁴), bit by bit.
+const fn root_above(square: i32) -> i32 {
+    let (mut root, mut bit) = (0, 1 << 12);
+    while bit > 0 {
+        let more = root + bit;
+        if more * more <= square {
+            root = more;
+        }
+        bit >>= 1;
+    }
+    root + 1
 }
 
 #[cfg(test)]
@@ -166,6 +180,13 @@ mod tests {
         let bounds = kept([[-70_000, 70_000], [-2000, 2000], [-2000, 2000]], 0, 0);
         assert_eq!(bounds.places, extent(-32_768, 32_767));
         assert!(!Flatness::new([1.0; 2], [2; 2]).is_flat(384, &bounds.edges));
+    }
+
+    #[test]
+    fn roots_are_rounded_up() {
+        for (square, root) in [(0, 1), (1, 2), (3, 2), (4, 3), (3_096_767, 1760), (3_096_768, 1760), (1 << 24, 4097)] {
+            assert_eq!(root_above(square), root, "{square}");
+        }
     }
 
     #[test]

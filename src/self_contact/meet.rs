@@ -25,7 +25,7 @@ pub(super) fn meet<S: Scalar, const W: usize, const H: usize>(
 ) -> u32 {
     let slow = law.slow(meeting.moment().shift);
     let mut apart = Apart { law, slow, particles, meeting, contacts: 0 };
-    for pair in list.pairs {
+    for &pair in list.pairs {
         apart.tiles(pair);
     }
     if let Some([a, b]) = list.beyond {
@@ -34,7 +34,7 @@ pub(super) fn meet<S: Scalar, const W: usize, const H: usize>(
         each_pair::<W, H>(|a, b| {
             found |= [a, b] == first;
             if found {
-                apart.tiles(&Pair { tiles: [a as u8, b as u8], quads: u16::MAX });
+                apart.tiles(Pair { tiles: [a as u8, b as u8], quads: u16::MAX });
             }
             true
         });
@@ -112,7 +112,7 @@ struct Apart<'a, S: Scalar, M, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar, M: Meeting<S, W, H>, const W: usize, const H: usize> Apart<'_, S, M, W, H> {
-    fn tiles(&mut self, pair: &Pair) {
+    fn tiles(&mut self, pair: Pair) {
         let [a, b] = pair.tiles.map(usize::from);
         let mut left = pair.quads;
         while left != 0 {

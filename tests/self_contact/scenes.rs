@@ -68,7 +68,9 @@ fn none_passes_through(rows: &[Row]) {
 /// Intersections, and the largest strain in motion and at the end, of each case.
 fn table(rows: &[Row]) -> String {
     let mut table = String::from("| |");
-    Case::ALL.iter().for_each(|case| _ = write!(table, " {} |", format!("{case:?}").to_lowercase()));
+    for case in Case::ALL {
+        let _ = write!(table, " {} |", format!("{case:?}").to_lowercase());
+    }
     table.push_str("\n|---|");
     table.push_str(&"---:|".repeat(Case::ALL.len()));
     for Row { who, outcomes } in rows {

@@ -1,5 +1,6 @@
 //! Scenes in which a sheet of a metre meets itself.
 
+use kerchief::scene::Only;
 use kerchief::{
     AerodynamicWind, Bend, Cloth, Drag, Gravity, Grid, Node, Plane, Scalar, Scene, SelfContact, Shear, Sheet, Solver,
     Sphere, Stretch, measure,
@@ -37,11 +38,12 @@ impl Case {
 
 type Forces<S> = (Gravity<S>, Drag<S>, Option<AerodynamicWind<S>>);
 type Links<S> = (Stretch<S>, Shear<S>, Bend<S>);
+type Obstacles<S> = (Plane<S>, Option<Sphere<S>>);
 
 pub(crate) struct Stage<S: Scalar, V: Solver<S>, const W: usize, const H: usize> {
     case: Case,
     pub(crate) sheet: Sheet<S, W, H>,
-    pub(crate) scene: Scene<Forces<S>, Links<S>, (Plane<S>, Option<Sphere<S>>), V, kerchief::scene::Only<S, W, H>>,
+    pub(crate) scene: Scene<Forces<S>, Links<S>, Obstacles<S>, V, Only<S, W, H>>,
     pub(crate) cloth: Cloth<S, W, H>,
     pub(crate) memory: V::Memory<Links<S>, W, H>,
     frame: u32,

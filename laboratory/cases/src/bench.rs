@@ -20,13 +20,12 @@ pub const LINES: (Lines, u32) = (Lines::with_sweeps(1), 1);
 
 /// Frames before the counted ones: links are then stretched as they usually are.
 pub const WARM_UP: u32 = 2;
-/// Frames that are counted: two, except that the line solver, which sweeps as often as it has to, a sheet that looks for itself now and then, and one at rest, whose frame is
-/// short, are counted to the end of a second.
+/// Frames that are counted: two, except that the line solver, which sweeps as often as it has to, and a sheet at rest, whose frame is short, are counted to the
+/// end of a second.
 pub const fn counted(scene: &str) -> u32 {
     let is_long = is(Some("lines"), scene)
         || is(Some("damped lines"), scene)
         || is(Some("lines, meeting itself"), scene)
-        || is(Some("xpbd, meeting itself"), scene)
         || is(Some("xpbd, at rest"), scene);
     if is_long { 60 - WARM_UP } else { 2 }
 }

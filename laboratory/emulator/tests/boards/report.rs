@@ -40,13 +40,12 @@ const KERNELS: [(&str, &str, Option<&str>, u64); 14] = [
 ];
 
 /// A frame: its scene and what it consists of.
-const FRAMES: [(&str, &str); 9] = [
+const FRAMES: [(&str, &str); 8] = [
     ("xpbd", "XPBD, 8 substeps of stretch and shear"),
-    ("xpbd, meeting itself", "the same, looking whether the sheet meets itself (`SelfContact`)"),
     ("xpbd, at rest", "the same, at rest (`Resting`)"),
     ("verlet", "position Verlet, 8 sweeps of stretch and shear"),
     ("lines", "line solver, stretch and shear, strain under 1 %"),
-    ("lines, meeting itself", "the same, looking whether the sheet meets itself"),
+    ("lines, meeting itself", "the same, looking whether the sheet meets itself (`SelfContact`)"),
     ("damped lines", "the line solver with dampers in all links"),
     ("leapfrog", "leapfrog, 32 substeps of stretch and shear"),
     ("backward Euler", "backward Euler, a Newton step of stretch and shear"),
