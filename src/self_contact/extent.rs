@@ -61,7 +61,10 @@ impl Bounds {
 
     /// Keeps the spans of a tile along an axis in 12 numbers of 16 bits: places from an origin on, in coarse numbers divided by 2^`shift`, edges in 1/64 cell. What is too
     /// large for them becomes the largest, which moves boxes together and makes edges unknown.
-    pub(super) fn pack(packed: &mut [i16; 12], axis: usize, spans: [[i32; 2]; 3], origin: i32, shift: u32) {
+    pub(super) fn pack(packed: &mut [i16; 12], axis: usize, spans: [[i32; 2]; 3], origin: [i32; 3], shift: u32) {
+        // as the compiler knows it
+        let axis = axis.min(2);
+        let origin = origin[axis];
         let [places, edges @ ..] = spans;
         let place = |x: i32, up: i32| {
             let x = (x.saturating_sub(origin) >> shift).saturating_add(up);
@@ -167,7 +170,7 @@ mod tests {
     /// Bounds that are the same along every axis, packed and unpacked.
     fn kept(spans: [[i32; 2]; 3], origin: i32, shift: u32) -> Bounds {
         let mut packed = [0; 12];
-        (0..3).for_each(|axis| Bounds::pack(&mut packed, axis, spans, origin, shift));
+        (0..3).for_each(|axis| Bounds::pack(&mut packed, axis, spans, [origin; 3], shift));
         Bounds::unpacked(&packed)
     }
 

@@ -14,7 +14,7 @@ use crate::vec3::Vec3;
 
 use super::Law;
 use super::near::{List, Pair, each_pair};
-use super::tiling::{Patch, Tiling};
+use super::tiling::{Patch, Tiling, inside};
 
 /// Moves particles of quads in the list apart where they meet. Returns how many pairs met.
 pub(super) fn meet<S: Scalar, const W: usize, const H: usize>(
@@ -67,7 +67,7 @@ impl Block {
 
     #[inline(always)]
     fn places<S: Scalar, const W: usize, const H: usize>(&self, particles: &Particles<S, W, H>) -> Places<S> {
-        let [a, b, c, d] = self.nodes.map(|node| particles.position.at(node));
+        let [a, b, c, d] = self.nodes.map(|node| particles.position.at(inside::<W, H>(node)));
         [[a.x, b.x, c.x, d.x], [a.y, b.y, c.y, d.y], [a.z, b.z, c.z, d.z]]
     }
 }
@@ -140,12 +140,14 @@ impl<S: Scalar, M: Meeting<S, W, H>, const W: usize, const H: usize> Apart<'_, S
     #[inline(always)]
     fn blocks(&mut self, first: &Block, second: &Block, same: bool) {
         let (mut at, mut places) = (first.places(self.particles), second.places(self.particles));
-        for i in 0..first.count {
-            if !is_close(Vec3::new(at[0][i], at[1][i], at[2][i]), &places, self.law.rest.length) {
+        for i in 0..4 {
+            if i >= first.count || !is_close(Vec3::new(at[0][i], at[1][i], at[2][i]), &places, self.law.rest.length) {
                 continue;
             }
-            for j in if same { i + 1 } else { 0 }..second.count {
-                self.particles(first.nodes[i], second.nodes[j]);
+            for j in 0..4 {
+                if j < second.count && !(same && j <= i) {
+                    self.particles(inside::<W, H>(first.nodes[i]), inside::<W, H>(second.nodes[j]));
+                }
             }
             (at, places) = (first.places(self.particles), second.places(self.particles));
         }
@@ -162,6 +164,7 @@ impl<S: Scalar, M: Meeting<S, W, H>, const W: usize, const H: usize> Apart<'_, S
 
     #[inline(never)] // what seldom happens
     fn contact(&mut self, i: Node, j: Node, r: Vec3<S>) {
+        let [i, j] = [i, j].map(inside::<W, H>);
         let [wi, wj] = [i, j].map(|node| self.particles.inverse_mass[node]);
         if wi == S::ZERO && wj == S::ZERO {
             return;

@@ -65,7 +65,8 @@ impl<const W: usize, const H: usize> Near<W, H> {
     };
 
     pub(super) fn list(&self) -> List<'_> {
-        List { pairs: &self.pairs.as_slice()[..usize::from(self.count)], beyond: self.beyond }
+        let pairs = self.pairs.as_slice().get(..usize::from(self.count)).unwrap_or_default();
+        List { pairs, beyond: self.beyond }
     }
 
     /// Makes the list anew where it is not good for a substep.
@@ -104,10 +105,12 @@ impl<const W: usize, const H: usize> Near<W, H> {
         };
         for row in 0..Tiling::<W, H>::DOWN {
             sweep.tiles(row, |tile, axis, spans| {
-                Bounds::pack(&mut tiles[tile], axis, spans, origin[axis], shift::<W, H>());
+                if let Some(packed) = tiles.get_mut(tile) {
+                    Bounds::pack(packed, axis, spans, origin, shift::<W, H>());
+                }
             });
         }
-        let tiles = &tiles[..Tiling::<W, H>::NUMBER];
+        let tiles = tiles.get(..Tiling::<W, H>::NUMBER).unwrap_or_default();
         let all = tiles.iter().fold(Bounds::EMPTY, |all, tile| all.and(&Bounds::unpacked(tile)));
         if law.flatness.is_flat(watch, &all.edges) {
             return;
@@ -115,17 +118,18 @@ impl<const W: usize, const H: usize> Near<W, H> {
         let flat = flat_blocks::<S, W, H>(tiles, law, watch);
         let search = Search { sweep, tiles, law, watch, flat };
         let pairs = self.pairs.0.as_flattened_mut();
-        let room = law.room.min(pairs.len());
+        let room = law.room;
         let mut count = 0;
         let mut beyond = None;
         search.pairs(|pair| {
-            if count == room {
-                beyond = Some(pair.tiles);
-                return false;
+            let place = pairs.get_mut(count).filter(|_| count < room);
+            if let Some(place) = place {
+                *place = pair;
+                count += 1;
+                return true;
             }
-            pairs[count] = pair;
-            count += 1;
-            true
+            beyond = Some(pair.tiles);
+            false
         });
         (self.count, self.beyond) = (count as u16, beyond);
     }
@@ -159,12 +163,12 @@ fn flat_blocks<S: Scalar, const W: usize, const H: usize>(tiles: &[[i16; TILE]],
             let mut block = Bounds::EMPTY;
             for lower in [row, (row + 1).min(down - 1)] {
                 for right in [column, (column + 1).min(across - 1)] {
-                    block = block.and(&Bounds::unpacked(&tiles[lower * across + right]));
+                    block = block.and(&tiles.get(lower * across + right).map_or(Bounds::EMPTY, Bounds::unpacked));
                 }
             }
             if law.flatness.is_flat(watch, &block.edges) {
                 let tile = row * across + column;
-                flat[tile / 32] |= 1 << (tile % 32);
+                flat[tile / 32 % 8] |= 1 << (tile % 32);
             }
         }
     }
@@ -227,14 +231,14 @@ impl<S: Scalar, const W: usize, const H: usize> Search<'_, S, W, H> {
     }
 
     fn places(&self, tile: usize) -> Extent {
-        Bounds::unpacked(&self.tiles[tile]).places
+        self.tiles.get(tile).map_or(Extent::EMPTY, |packed| Bounds::unpacked(packed).places)
     }
 
     /// Whether two tiles that touch lie in a block that is flat.
     fn is_flat(&self, a: usize, b: usize) -> bool {
         let across = Tiling::<W, H>::ACROSS;
         let corner = a / across * across + (a % across).min(b % across);
-        self.flat[corner / 32] >> (corner % 32) & 1 == 1
+        self.flat[corner / 32 % 8] >> (corner % 32) & 1 == 1
     }
 
     /// The boxes of a tile's quads, and of all their particles.
@@ -353,7 +357,7 @@ mod tests {
             let sweep = Sweep::new(&cloth, 0);
             let mut tiles = [[0; TILE]; Tiling::<SIDE, SIDE>::NUMBER];
             for row in 0..Tiling::<SIDE, SIDE>::DOWN {
-                sweep.tiles(row, |tile, axis, spans| Bounds::pack(&mut tiles[tile], axis, spans, 0, 0));
+                sweep.tiles(row, |tile, axis, spans| Bounds::pack(&mut tiles[tile], axis, spans, [0; 3], 0));
             }
             let all = tiles.iter().fold(Bounds::EMPTY, |all, tile| all.and(&Bounds::unpacked(tile)));
             if !law.flatness.is_flat(law.coarse, &all.edges) {

@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
 use super::extent::Extent;
-use super::tiling::Tiling;
+use super::tiling::{Tiling, inside};
 
 /// How particles are followed.
 #[derive(Clone, Copy)]
@@ -25,6 +25,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Sweep<'a, S, W, H> {
 
     /// The box of a particle's way.
     pub(super) fn place(&self, node: Node) -> Extent {
+        let node = inside::<W, H>(node);
         let now = self.particles.position.at(node);
         let then = now + self.particles.velocity.at(node).halve(self.halvings);
         let along = |now: S, then: S| outwards([now.min(then), now.max(then)]);
@@ -56,8 +57,8 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Sweep<'a, S, W, H> {
     /// Of some rows, column by column: the spans of places along an axis, of edges along rows, and of edges down.
     fn columns(&self, axis: usize, first: usize, end: usize) -> [Span<S, W>; 3] {
         let row = |row: usize| Line {
-            place: component(&self.particles.position.0[row], axis),
-            velocity: component(&self.particles.velocity.0[row], axis),
+            place: component(&self.particles.position.0[row.min(H - 1)], axis),
+            velocity: component(&self.particles.velocity.0[row.min(H - 1)], axis),
             halvings: self.halvings,
         };
         // the last row's edges down are those that lead to it
@@ -143,14 +144,13 @@ impl<S: Scalar, const W: usize> Span<S, W> {
         self.high[column] = self.high[column].max(now.max(then));
     }
 
-    /// Of some columns together.
+    /// Of some columns together; there is one at least.
     fn within(&self, from: usize, end: usize) -> [i32; 2] {
-        let (mut low, mut high) = (self.low[from], self.high[from]);
-        for column in from + 1..end {
-            low = low.min(self.low[column]);
-            high = high.max(self.high[column]);
-        }
-        outwards([low, high])
+        let of = |numbers: &[S; W], choose: fn(S, S) -> S| {
+            let some = numbers.get(from..end).unwrap_or_default();
+            some.iter().copied().reduce(choose).unwrap_or(S::ZERO)
+        };
+        outwards([of(&self.low, S::min), of(&self.high, S::max)])
     }
 }
 

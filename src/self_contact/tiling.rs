@@ -52,6 +52,12 @@ const fn fits(columns: usize, rows: usize, side: usize) -> bool {
     number == 1 || (number <= 256 && number * TILE <= columns * rows)
 }
 
+/// A node of the grid, as the compiler knows it: it is one already.
+#[inline(always)]
+pub(super) fn inside<const W: usize, const H: usize>(node: Node) -> Node {
+    Node { column: node.column.min(W - 1), row: node.row.min(H - 1) }
+}
+
 /// A rectangle of particles, which may have none.
 #[derive(Clone, Debug)]
 pub(super) struct Patch {

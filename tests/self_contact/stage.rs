@@ -127,7 +127,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
             }
             Case::Twist => {
                 let part = (time / 4.0).min(1.0);
-                let (angle, z) = (std::f64::consts::PI * part, 0.5 - height * (0.97 - 0.3 * part));
+                let (angle, z) = (std::f64::consts::PI * part, 0.5 - height * (0.97 - 0.45 * part));
                 for column in 0..W {
                     let x = at(column);
                     self.carry(Node::new(column, H - 1), [x * angle.cos(), x * angle.sin(), z]);
@@ -153,9 +153,9 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
     }
 }
 
-/// Every third particle, and the last.
+/// Every third particle, and the last, but none beside it.
 fn pegs<const W: usize>() -> impl Iterator<Item = usize> {
-    (0..W).filter(|column| column % 3 == 0 || column + 1 == W)
+    (0..W).filter(|column| column % 3 == 0 && column + 2 < W || column + 1 == W)
 }
 
 /// A sheet one cell thick.

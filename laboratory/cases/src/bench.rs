@@ -158,8 +158,6 @@ fn play<S: Scalar, B: Bench>(bench: &mut B) {
             Damped::new(stretch(&FEW), FEW.damping(20.0)),
             Damped::new(shear(&FEW), FEW.damping(20.0)),
         ), (), Lines::with_sweeps(LINES.0.sweeps);
-        "xpbd, meeting itself": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (),
-            SelfContact::new(Thickness::new(&MANY, MANY.cell), 0.3, Xpbd);
         "lines, meeting itself": FEW, gravity(&FEW), (stretch(&FEW), shear(&FEW)), (),
             SelfContact::new(Thickness::new(&FEW, FEW.cell), 0.3, LINES.0);
         "xpbd, resting": MANY, gravity(&MANY), (stretch(&MANY), shear(&MANY)), (), Resting::new(&MANY, NEVER, Xpbd);

@@ -92,6 +92,7 @@ impl<S: Scalar, const W: usize, const H: usize> Meeting<S, W, H> for TwoStep<'_,
         particles.position.at(node) - self.start.at(node)
     }
 
+    #[inline(always)]
     fn separate(&mut self, particles: &mut Particles<S, W, H>, [i, j]: [Node; 2], contact: &Contact<S>) {
         let share = |position: Vec3<S>| {
             if self.aside && !S::FLOATS { position.map(|x| self.moment.share(x)) } else { Vec3::ZERO }

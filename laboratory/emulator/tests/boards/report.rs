@@ -67,7 +67,7 @@ const PARTS: [(&str, &str, &str); 16] = [
     ("sphere", "sphere", "bare"),
     ("plane", "plane", "bare"),
     ("capsule", "capsule", "bare"),
-    ("self-contact", "xpbd, meeting itself", "xpbd"),
+    ("self-contact", "lines, meeting itself", "lines"),
     ("rest, in motion", "xpbd, resting", "xpbd"),
 ];
 
