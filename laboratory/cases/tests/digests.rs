@@ -90,17 +90,17 @@ fn farthest(a: [[f64; 3]; 2], b: [[f64; 3]; 2]) -> f64 {
     a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// The scenes that carry a built-in scene's name are that scene on a smaller grid.
+/// The scenes that carry a built-in scene's name are that scene on a smaller grid, but for what a sheet does with itself. Those that live from it are none.
 #[test]
 fn scenes_of_the_files_are_the_files() {
-    let mut found = 0;
+    let mut missing: Vec<_> = kerchief::host::BUILT_IN.iter().map(|scene| scene.name).collect();
     for case in CASES {
         let Some(file) = built_in(case.name) else { continue };
-        found += 1;
+        missing.retain(|name| *name != case.name);
         let file = Description::parse(file.text).expect("a built-in scene is a scene");
         assert_eq!(read(&file, &case), case);
     }
-    assert_eq!(found, kerchief::host::BUILT_IN.len());
+    assert_eq!(missing, ["heap", "fold"]);
 }
 
 /// What a file says in the terms of a [`Setup`]; which particles are pinned depends on the grid and is taken from `case`.
