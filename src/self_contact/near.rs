@@ -243,7 +243,7 @@ impl<S: Scalar, const W: usize, const H: usize> Search<'_, S, W, H> {
 
     /// The boxes of a tile's quads, and of all their particles.
     fn ways(&self, tile: usize) -> [Ways; 4] {
-        [0, 1, 2, 3].map(|quad| Ways::new(&self.sweep, Tiling::<W, H>::quad(tile, quad)))
+        [0, 1, 2, 3].map(|quad| Ways::new(self.sweep, Tiling::<W, H>::quad(tile, quad)))
     }
 
     /// Which quads of two tiles are near each other.
@@ -268,7 +268,7 @@ impl<S: Scalar, const W: usize, const H: usize> Search<'_, S, W, H> {
         for (index, i) in a.patch.nodes().enumerate() {
             for (other, j) in b.patch.nodes().enumerate() {
                 if !self.law.joins(i, j)
-                    && a.way(index, i, &self.sweep).is_near(&b.way(other, j, &self.sweep), self.watch)
+                    && a.way(index, i, self.sweep).is_near(&b.way(other, j, self.sweep), self.watch)
                 {
                     return true;
                 }
@@ -288,7 +288,7 @@ struct Ways {
 }
 
 impl Ways {
-    fn new<S: Scalar, const W: usize, const H: usize>(sweep: &Sweep<'_, S, W, H>, patch: Patch) -> Self {
+    fn new<S: Scalar, const W: usize, const H: usize>(sweep: Sweep<'_, S, W, H>, patch: Patch) -> Self {
         let (mut all, mut first) = (Extent::EMPTY, [Extent::EMPTY; 4]);
         for (index, node) in patch.nodes().enumerate() {
             let place = sweep.place(node);
@@ -305,7 +305,7 @@ impl Ways {
         &self,
         index: usize,
         node: Node,
-        sweep: &Sweep<'_, S, W, H>,
+        sweep: Sweep<'_, S, W, H>,
     ) -> Extent {
         if index < self.first.len() { self.first[index] } else { sweep.place(node) }
     }

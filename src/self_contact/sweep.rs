@@ -24,7 +24,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Sweep<'a, S, W, H> {
     }
 
     /// The box of a particle's way.
-    pub(super) fn place(&self, node: Node) -> Extent {
+    pub(super) fn place(self, node: Node) -> Extent {
         let node = inside::<W, H>(node);
         let now = self.particles.position.at(node);
         let then = now + self.particles.velocity.at(node).halve(self.halvings);
@@ -35,7 +35,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Sweep<'a, S, W, H> {
 
     /// Bounds the tiles of a row of them, and the edges that start there: `bound(tile, axis, spans)` is given the spans of places, of edges along rows and of those down
     /// columns; a chain has no cells.
-    pub(super) fn tiles(&self, row: usize, mut bound: impl FnMut(usize, usize, [[i32; 2]; 3])) {
+    pub(super) fn tiles(self, row: usize, mut bound: impl FnMut(usize, usize, [[i32; 2]; 3])) {
         let first = row * Tiling::<W, H>::ACROSS;
         let rows = Tiling::<W, H>::tile(first).rows;
         for axis in 0..3 {
@@ -55,7 +55,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Sweep<'a, S, W, H> {
     }
 
     /// Of some rows, column by column: the spans of places along an axis, of edges along rows, and of edges down.
-    fn columns(&self, axis: usize, first: usize, end: usize) -> [Span<S, W>; 3] {
+    fn columns(self, axis: usize, first: usize, end: usize) -> [Span<S, W>; 3] {
         let row = |row: usize| Line {
             place: component(&self.particles.position.0[row.min(H - 1)], axis),
             velocity: component(&self.particles.velocity.0[row.min(H - 1)], axis),
