@@ -177,7 +177,7 @@ fn reach<S: Scalar>(radius: Length, margin: Length) -> S {
 /// A coefficient of friction. As an `f64` it leaves the number type to the scene.
 #[track_caller]
 #[inline]
-fn coefficient<S: Scalar>(friction: f64) -> S {
+pub(crate) fn coefficient<S: Scalar>(friction: f64) -> S {
     assert!(is_finite(friction) && is_not_negative(friction), "a coefficient of friction is finite, zero or above");
     check_fit::<S, 1>([friction]);
     S::from_f64(friction)

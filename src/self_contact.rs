@@ -20,8 +20,8 @@
 //! assert!(measure::closest(&cloth, &SHEET.units) > 0.018);
 //! ```
 //!
-//! Which quads of particles may meet is found once in a frame, or more often where parts of the sheet are faster than two cells a frame, from boxes of whole numbers around
-//! them; where a part of a sheet is flat, nothing in it is looked at. In every substep, and between the sweeps of the line solver, the particles of these quads are
+//! Which quads of particles may meet is found once in a frame, from boxes of whole numbers around them: more often where parts of the sheet differ in speed by more than two cells
+//! a frame, less often where they hardly do. Where a part of a sheet is flat, nothing in it is looked at. In every substep, and between the sweeps of the line solver, the particles of these quads are
 //! looked at. It takes 6 bytes a particle, and nothing where it is not named.
 //!
 //! A sheet that rests is wrapped once more: `Resting` around `SelfContact`, not the other way round.
@@ -34,14 +34,13 @@ mod tiling;
 
 use core::cell::Cell;
 
-use crate::collider::{Collider, Contact, Meeting};
+use crate::collider::{Collider, Contact, Meeting, coefficient};
 use crate::fingerprint::Fingerprint;
 use crate::force::Force;
 use crate::grid::Node;
 use crate::link::Links;
 use crate::moment::Moment;
 use crate::particles::Particles;
-use crate::scalar::fit::{is_finite, is_not_negative};
 use crate::scalar::{Rest, Scalar};
 use crate::solver::{Physics, Solver};
 use crate::units::Units;
@@ -120,11 +119,10 @@ pub(crate) struct Law<S: Scalar> {
 impl<S: Scalar> Law<S> {
     #[track_caller]
     pub(crate) fn new(Thickness { cells, sides }: Thickness, friction: f64) -> Self {
-        assert!(is_finite(friction) && is_not_negative(friction), "a coefficient of friction is finite, zero or above");
         let neighbours = sides.map(|side| apart(side, cells));
         Self {
             rest: Rest::spanning(S::from_f64(cells), S::ZERO),
-            friction: S::from_f64(friction),
+            friction: coefficient(friction),
             neighbours,
             coarse: (256.0 * cells) as i32 + 1,
             flatness: Flatness::new(sides, neighbours),
