@@ -2,9 +2,10 @@
 
 use core::ops::{Deref, DerefMut};
 
-use crate::collider::{Collider, Contact, Sphere};
+use crate::collider::{Collider, Contact, Meeting, Sphere};
 use crate::fingerprint::Fingerprint;
 use crate::moment::Moment;
+use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::Velocity;
 use crate::vec3::Vec3;
@@ -79,6 +80,20 @@ impl<S: Scalar, C: Collider<S>> Collider<S> for Moving<C> {
     #[inline]
     fn reaches(&self, moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
         self.0.reaches(moment, low, high)
+    }
+
+    #[inline]
+    fn meets(&self) -> bool {
+        self.0.meets()
+    }
+
+    #[inline]
+    fn meet<const W: usize, const H: usize>(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        meeting: &mut impl Meeting<S, W, H>,
+    ) {
+        self.0.meet(particles, meeting);
     }
 
     #[inline]

@@ -1,4 +1,4 @@
-//! No edge of a sheet passes through a triangle of it, counted by a test that knows nothing of contacts.
+//! No edge of a sheet passes through a triangle of it but in twists by XPBD that are named, counted by a test that knows nothing of contacts.
 
 use std::fmt::Write;
 use std::{env, fs};
@@ -52,23 +52,14 @@ fn all<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
     }
 }
 
-/// The strain up to which the mesh of a sheet that is a cell thick is tight: √2 − 1.
-const TIGHT: f64 = std::f64::consts::SQRT_2 - 1.0;
-
-/// Asserts that no edge passes through a triangle in any of them, as far as they are tight.
-fn none_passes_through(rows: &[Row]) {
-    let mut wrong = String::new();
-    for Row { who, outcomes } in rows {
-        for (case, outcome) in Case::ALL.iter().zip(outcomes) {
-            if outcome.intersections > 0 && outcome.strain[0].max(outcome.strain[1]) < TIGHT {
-                let _ = writeln!(wrong, "{case:?}, {who}: {outcome:?}");
-            }
-        }
-    }
-    assert_eq!(wrong, "");
-    let tight = |outcome: &&Outcome| outcome.strain[0].max(outcome.strain[1]) < TIGHT;
-    let number = rows.iter().map(|row| row.outcomes.iter().filter(tight).count()).sum::<usize>();
-    assert!(number + rows.len() >= rows.len() * Case::ALL.len(), "only {number} are tight");
+/// In which of them an edge passes through a triangle.
+fn passing(rows: &[Row]) -> Vec<String> {
+    let of = |row: &Row| {
+        let cases = Case::ALL.into_iter().zip(row.outcomes.clone());
+        let passing = cases.filter(|(_, outcome)| outcome.intersections > 0);
+        passing.map(|(case, _)| format!("{case:?}: {}", row.who)).collect::<Vec<_>>()
+    };
+    rows.iter().flat_map(of).collect()
 }
 
 /// Intersections, and the largest strain in motion and at the end, of each case.
@@ -89,8 +80,8 @@ fn table(rows: &[Row]) -> String {
 }
 
 #[test]
-fn small_sheets_never_pass_through_themselves() {
-    none_passes_through(&[
+fn small_sheets_pass_through_themselves_in_one_known_case() {
+    let rows = [
         all::<f32, _, 16, 16>("lines", 8, Lines::new(), 250),
         all::<Q13, _, 16, 16>("lines", 8, Lines::new(), 250),
         all::<Q24, _, 16, 16>("lines", 4, Lines::new(), 250),
@@ -99,13 +90,15 @@ fn small_sheets_never_pass_through_themselves() {
         // odd sides, of which one is no multiple of a tile
         all::<f32, _, 13, 21>("lines", 8, Lines::new(), 250),
         all::<f32, _, 16, 16>("verlet", 16, Verlet { sweeps: 2 }, 250),
-    ]);
+    ];
+    // open: few substeps of XPBD strain a twisted sheet further than its mesh is tight
+    assert_eq!(passing(&rows), ["Twist: xpbd, 8 substeps, `f32`, 16 × 16"]);
 }
 
 /// Ten seconds of larger sheets: the table of docs/self-contact.md, which `UPDATE_SELF_CONTACT=1 cargo test --release -p kerchief --test self_contact -- --ignored` writes.
 #[test]
 #[ignore = "minutes"]
-fn larger_sheets_never_pass_through_themselves() {
+fn larger_sheets_pass_through_themselves_in_one_known_case() {
     let rows = [
         all::<f32, _, 32, 32>("lines", 8, Lines::new(), 600),
         all::<f64, _, 32, 32>("lines", 4, Lines::new(), 600),
@@ -121,7 +114,8 @@ fn larger_sheets_never_pass_through_themselves() {
         let page = [before, MARKS[0], &table(&rows), MARKS[1], after].concat();
         fs::write(PAGE, page).expect("the page can be written");
     }
-    none_passes_through(&rows);
+    // open: strained by 67 %, where a mesh is tight up to 41 %
+    assert_eq!(passing(&rows), ["Twist: XPBD, 16 substeps, `f32`, 32 × 32"]);
 }
 
 const PAGE: &str = "docs/self-contact.md";
