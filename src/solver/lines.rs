@@ -19,18 +19,22 @@
 //! **Steps too long for sweeps** are [split]: what a sweep leaves shrinks by 1 − c/N² on a grid of N particles a side, but with the square of the step.
 
 mod chain;
+mod columns;
 mod contact;
 mod diagonal;
 mod geometric_stiffness;
 mod heavy;
 mod pairs;
+mod place;
 mod predict;
 mod pull;
 mod regularise;
 mod relax;
+mod rows;
 mod rule;
 mod split;
 mod sweeps;
+mod tridiagonal;
 mod viscosity;
 
 use crate::collider::Collider;

@@ -16,9 +16,11 @@ use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
-use super::chain::{Chain, Eliminated, Place, skips_masses, yielding};
+use super::chain::{Chain, skips_masses};
 use super::displace_row;
 use super::heavy::Heavy;
+use super::place::each_diagonal;
+use super::tridiagonal::Eliminated;
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     /// Solves every diagonal. Returns the largest residual of those that were held back, which are far from solved.
@@ -83,7 +85,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         tension: &[S; W],
     ) -> Links<S, W> {
         let (dividend, divisor) = (self.strength.dividend, self.strength.divisor);
-        let own = yielding(dividend);
+        let own = self.own();
         let (ends, w) = (y.components(crossed::<PARITY, S, W>), crossed::<PARITY, S, W>(v));
         let [mut change, mut factor, mut pivot] = [[S::ZERO; W]; 3];
         let mut normal = Vec3::row(Vec3::ZERO);
@@ -170,29 +172,6 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 self.add_geometric_stiffness(particles, place, 0, (&normal, &change), Heavy::NONE);
             }
         });
-    }
-}
-
-/// Visits every diagonal through the cells of one colour, those of two particles and more.
-pub(super) fn each_diagonal<const W: usize, const H: usize>(colour: usize, mut visit: impl FnMut(Place)) {
-    // from the upper border, then from the left one and from the right one
-    for start in 0..W + 2 * (H - 1) {
-        let (first, top) = if start < W {
-            (start, 0)
-        } else if start < W + H - 1 {
-            (0, start - W + 1)
-        } else {
-            (W - 1, start + 2 - W - H)
-        };
-        for slant in [1, -1] {
-            let room = if slant > 0 { W - 1 - first } else { first };
-            let count = 1 + room.min(H - 1 - top);
-            // by the column of the first cell's left side
-            let cell = if slant > 0 { first + top } else { first + top + 1 };
-            if count > 1 && cell % 2 == colour {
-                visit(Place { top, first, count, slant });
-            }
-        }
     }
 }
 
@@ -358,28 +337,5 @@ mod tests {
         check::<f64>();
         check::<Q24>();
         check::<Q13>();
-    }
-
-    #[test]
-    fn every_diagonal_is_visited_once() {
-        fn check<const W: usize, const H: usize>() {
-            let mut visits = [[[0; W]; H]; 2];
-            for colour in 0..2 {
-                each_diagonal::<W, H>(colour, |place| {
-                    for k in 0..place.count - 1 {
-                        visits[usize::from(place.slant > 0)][place.top + k][place.column::<1, W>(k)] += 1;
-                    }
-                });
-            }
-            for (slant, row, column) in (0..2).flat_map(|s| (0..H).flat_map(move |r| (0..W).map(move |c| (s, r, c)))) {
-                let is_there = row + 1 < H && if slant == 1 { column + 1 < W } else { column > 0 };
-                assert_eq!(visits[slant][row][column], u32::from(is_there), "{slant} {row} {column} of {W} × {H}");
-            }
-        }
-        check::<5, 8>();
-        check::<8, 5>();
-        check::<2, 2>();
-        check::<1, 3>();
-        check::<3, 1>();
     }
 }

@@ -13,6 +13,7 @@ use crate::scalar::{Rounding, Scalar};
 use crate::vec3::Vec3;
 
 use super::heavy::Heavy;
+use super::tridiagonal::Eliminated;
 
 /// The tension from which on a chain is eased, rest lengths. A zigzag calls for 0.31; with less than a half, chains are eased that don't shake, which costs accuracy.
 pub(super) const TAUT: f64 = 0.5;
@@ -36,6 +37,7 @@ pub(super) fn geometric_stiffness<S: Scalar, const M: usize>(
     let mut by = across;
     let mut factor = [S::ZERO; M];
     let most = heavy.bound(S::from_int(MOST));
+    let mut above = Eliminated::NONE;
     let (mut pull, mut direction, mut a, mut f) = (Vec3::ZERO, Vec3::ZERO, S::ZERO, S::ZERO);
     for k in 0..count {
         let w = inverse_mass[k];
@@ -52,10 +54,10 @@ pub(super) fn geometric_stiffness<S: Scalar, const M: usize>(
         // an end has but one link, along which it is moved
         across.set(k, if end { Vec3::ZERO } else { moved - along * moved.dot(along).divide(squared) });
         let b = (force * inverse_length).max(S::ZERO).min(most);
-        let pivot = (S::ONE + w * (a + b - a * f)).recip();
-        let before = if k > 0 { by.at(k - 1) } else { Vec3::ZERO };
-        by.set(k, (across.at(k) + before * (w * a)) * pivot);
-        f = w * b * pivot;
+        // 1 + w·(a + b) less w·a·f, without the difference of two large numbers
+        above = above.then::<false>(S::ONE + w * (a + b - a * f), w * a, across.at(k));
+        by.set(k, above.right);
+        f = w * b * above.pivot;
         factor[k] = f;
         (pull, direction, a) = (next, after, b);
     }

@@ -12,6 +12,8 @@ use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
+use super::tridiagonal::twisted;
+
 /// The passes that make the rule in time one of second order.
 pub(super) const PASSES: u32 = 3;
 
@@ -188,70 +190,17 @@ impl<S: Scalar> Axes<S> {
 }
 
 /// Solves a row or a column for the impulse μ of each damper, in units of the strength's dividend a,
-/// `(b + a·(w_i + w_{i+1}))·μ_i − a·w_i·μ_{i−1} − a·w_{i+1}·μ_{i+1} = v_{i+1} − v_i`, from both ends to the middle: so momentum is kept to the last place, no pivot
-/// vanishes with b, and a mirrored row of even length is solved as the mirror image in floats.
+/// `(b + a·(w_i + w_{i+1}))·μ_i − a·w_i·μ_{i−1} − a·w_{i+1}·μ_{i+1} = v_{i+1} − v_i`: so momentum is kept to the last place, and no pivot vanishes with b.
 fn solve_line<S: Scalar, const N: usize>(strength: Quotient<S>, w: &[S; N], v: &mut Vec3<[S; N]>) {
-    if N < 2 {
-        return;
-    }
-    let (links, middle) = (N - 1, (N - 1) / 2);
     let Quotient { dividend, divisor } = strength;
-    let diagonal = |k: usize| divisor + (w[k] + w[k + 1]) * dividend;
-    let missing = |v: &Vec3<[S; N]>, k: usize| v.at(k + 1) - v.at(k);
-    let mut impulse = Vec3::<[S; N]>::row(Vec3::ZERO);
-    // of the next link's impulse in each
-    let mut factor = [S::ZERO; N];
-    let mut pivots = [S::ZERO; 2];
-    for k in 0..middle {
-        let coupling = if k > 0 { w[k] * dividend } else { S::ZERO };
-        let ahead = coupling * pivots[0];
-        let mut right = missing(v, k);
-        if k > 0 {
-            factor[k - 1] = ahead;
-            right += impulse.at(k - 1) * coupling;
-        }
-        pivots[0] = (diagonal(k) - ahead * coupling).recip();
-        impulse.set(k, right * pivots[0]);
-    }
-    // counted this way a compiler sees that nothing is out of bounds
-    for turn in 0..links - 1 - middle {
-        let k = links - 1 - turn;
-        let coupling = if turn > 0 { w[k + 1] * dividend } else { S::ZERO };
-        let ahead = coupling * pivots[1];
-        let mut right = missing(v, k);
-        if turn > 0 {
-            factor[k + 1] = ahead;
-            right += impulse.at(k + 1) * coupling;
-        }
-        pivots[1] = (diagonal(k) - ahead * coupling).recip();
-        impulse.set(k, right * pivots[1]);
-    }
-    let [mut before, mut after] = [Vec3::ZERO; 2];
-    let mut least = [S::ZERO; 2];
-    if middle > 0 {
-        let coupling = w[middle] * dividend;
-        factor[middle - 1] = coupling * pivots[0];
-        least[0] = factor[middle - 1] * coupling;
-        before = impulse.at(middle - 1) * coupling;
-    }
-    if middle + 1 < links {
-        let coupling = w[middle + 1] * dividend;
-        factor[middle + 1] = coupling * pivots[1];
-        least[1] = factor[middle + 1] * coupling;
-        after = impulse.at(middle + 1) * coupling;
-    }
-    let pivot = (diagonal(middle) - (least[0] + least[1])).recip();
-    impulse.set(middle, (missing(v, middle) + (before + after)) * pivot);
-    for k in (0..middle).rev() {
-        impulse.add(k, impulse.at(k + 1) * factor[k]);
-    }
-    for k in middle + 1..links {
-        impulse.add(k, impulse.at(k - 1) * factor[k]);
-    }
+    let impulse: [Vec3<S>; N] = twisted::<false, S, Vec3<S>, N>(
+        |k| divisor + (w[k] + w[k + 1]) * dividend,
+        |k| w[k + 1] * dividend,
+        |k| v.at(k + 1) - v.at(k),
+    );
     let mut before = Vec3::ZERO;
     for k in 0..N {
-        // of the last one nothing was set
-        let by = impulse.at(k) * dividend;
+        let by = impulse[k] * dividend;
         v.add(k, (by - before) * w[k]);
         before = by;
     }

@@ -1,0 +1,306 @@
+//! Columns and diagonals, some side by side.
+//!
+//! Machines that compute several numbers at once solve [`LANES`] columns at a time, others one. Diagonals are solved here one by one;
+//! [`diagonal`](super::diagonal) has another way.
+
+use heapless::Vec;
+
+use crate::grid::Grid;
+use crate::particles::Particles;
+use crate::scalar::Scalar;
+use crate::vec3::Vec3;
+
+use super::chain::{Chain, skips_masses};
+use super::displace;
+use super::geometric_stiffness::geometric_stiffness;
+use super::heavy::Heavy;
+use super::place::{Place, each_diagonal};
+use super::regularise::regularisation;
+use super::tridiagonal::{Eliminated, times};
+
+/// Columns that are solved side by side, where a machine computes several numbers at once: two of its vectors of `f32`.
+const LANES: usize = 8;
+
+/// Links of some chains side by side.
+struct Link<S, const N: usize> {
+    normal: Vec3<[S; N]>,
+    /// At first the residual, in the end what the multiplier changes by.
+    change: [S; N],
+    /// The part of its change that the change of the link above has of it.
+    factor: [S; N],
+}
+
+/// The links of some chains, from the top down.
+type Links<S, const N: usize, const H: usize> = Vec<Link<S, N>, H>;
+
+impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
+    /// Solves every column. Returns the largest residual of those that were held back, which are far from solved.
+    #[inline(never)] // one for all scenes of a grid
+    pub(super) fn columns(&self, particles: &mut Particles<S, W, H>, tension: &mut Grid<S, W, H>) -> S {
+        let (mut column, mut unsolved) = (0, S::ZERO);
+        // where products depend on the masses of a column, every machine looks at one
+        if const { !skips_masses::<S>() } {
+            while column + LANES <= W {
+                unsolved = unsolved.max(self.some::<LANES>(particles, column, tension));
+                column += LANES;
+            }
+            while column + 4 <= W {
+                unsolved = unsolved.max(self.some::<4>(particles, column, tension));
+                column += 4;
+            }
+        }
+        while column < W {
+            unsolved = unsolved.max(self.some::<1>(particles, column, tension));
+            column += 1;
+        }
+        unsolved
+    }
+
+    fn some<const N: usize>(&self, particles: &mut Particles<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) -> S {
+        let place = Place { top: 0, first, count: H, slant: 0 };
+        if const { skips_masses::<S>() } {
+            self.one(particles, place, tension, self.unit_mass.columns[first.min(W - 1)])
+        } else {
+            self.side_by_side::<N, false, false>(particles, place, tension)
+        }
+    }
+
+    /// Solves the diagonals of the cells of one colour, one after the other. Returns as [`columns`](Self::columns).
+    pub(super) fn diagonals_one_by_one(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        colour: usize,
+        tension: &mut Grid<S, W, H>,
+    ) -> S {
+        let mut unsolved = S::ZERO;
+        each_diagonal::<W, H>(colour, |place| {
+            let inverse_mass = |k: usize| particles.inverse_mass.0[place.row::<H>(k)][place.column::<1, W>(k)];
+            let unit_mass = (0..place.count).all(|k| inverse_mass(k) == S::ONE);
+            unsolved = unsolved.max(self.one(particles, place, tension, unit_mass));
+        });
+        unsolved
+    }
+
+    /// Solves one chain, whose particles may all have mass 1.
+    fn one(&self, particles: &mut Particles<S, W, H>, place: Place, tension: &mut Grid<S, W, H>, unit_mass: bool) -> S {
+        if unit_mass {
+            self.side_by_side::<1, true, true>(particles, place, tension)
+        } else {
+            self.side_by_side::<1, false, true>(particles, place, tension)
+        }
+    }
+
+    /// Solves `N` chains. Returns their largest residual where they were held back.
+    #[inline(never)] // so that sheet and multipliers are known to be apart
+    fn side_by_side<const N: usize, const UNIT_MASS: bool, const ANYWHERE: bool>(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        place: Place,
+        tension: &mut Grid<S, W, H>,
+    ) -> S {
+        // columns' extent is known when this is compiled
+        let place = if ANYWHERE { place } else { Place { top: 0, count: H, slant: 0, ..place } };
+        let Place { top, first, count, .. } = place;
+        if N > W || first > W - N || count > H || top > H - count {
+            return S::ZERO; // said once, no column needs to be looked for
+        }
+        let heavy = self.heavy::<UNIT_MASS>();
+        let mut links = Links::<S, N, H>::new();
+        let worst = self.gather_some(&mut links, particles, place, tension, heavy);
+        let divisor = (0..N).fold(S::ZERO, |divisor, lane| {
+            let added = || Self::regularisation_of(&links, particles, place, lane, heavy);
+            divisor.max(self.divisor::<UNIT_MASS, H>(worst, added))
+        });
+        self.eliminate_some::<N, UNIT_MASS>(&mut links, particles, place, divisor);
+        let most = self.substitute_some::<N, UNIT_MASS>(&mut links, particles, place, tension);
+        for lane in 0..N {
+            if self.is_taut(most[lane], heavy) {
+                self.ease_one(&links, particles, place, lane, heavy);
+            }
+        }
+        let is_regularised = divisor > heavy.scaled(self.strength.divisor);
+        if is_regularised { worst } else { S::ZERO }
+    }
+
+    /// Gathers the links of chains. Returns the largest residual, which only fixed point asks for.
+    #[inline(always)]
+    fn gather_some<const N: usize>(
+        &self,
+        links: &mut Links<S, N, H>,
+        particles: &Particles<S, W, H>,
+        place: Place,
+        tension: &Grid<S, W, H>,
+        heavy: Heavy,
+    ) -> S {
+        let mut worst = S::ZERO;
+        // pushed one by one, so that none has to be written twice
+        for k in 0..place.count.saturating_sub(1) {
+            let (above, below) = (place.row::<H>(k), place.row::<H>(k + 1));
+            let [x, y] = [&particles.position.0[above], &particles.position.0[below]];
+            let mut link = Link { normal: Vec3::row(Vec3::ZERO), change: [S::ZERO; N], factor: [S::ZERO; N] };
+            for lane in 0..N {
+                let [here, next] = [place.column::<N, W>(k) + lane, place.column::<N, W>(k + 1) + lane];
+                let (excess, normal) = (y.at(next) - x.at(here)).direction(self.rest);
+                let residual = excess - heavy.scaled(self.strength.times_divisor(tension.0[above][here]));
+                if !S::FLOATS {
+                    worst = worst.max(residual.abs());
+                }
+                link.normal.set(lane, normal);
+                link.change[lane] = residual;
+            }
+            _ = links.push(link); // there is room for all
+        }
+        worst
+    }
+
+    /// Eliminates down the chains.
+    #[inline(always)]
+    fn eliminate_some<const N: usize, const UNIT_MASS: bool>(
+        &self,
+        links: &mut Links<S, N, H>,
+        particles: &Particles<S, W, H>,
+        place: Place,
+        divisor: S,
+    ) {
+        let (own, heavy) = (self.own(), self.heavy::<UNIT_MASS>());
+        let mut above = [Eliminated::NONE; N];
+        let mut before = Vec3::<[S; N]>::row(Vec3::ZERO);
+        for (k, link) in links.iter_mut().enumerate() {
+            let [u, v] =
+                [&particles.inverse_mass.0[place.row::<H>(k)], &particles.inverse_mass.0[place.row::<H>(k + 1)]];
+            for lane in 0..N {
+                let coupling = self.strength.of_dividend(before.at(lane).cosine(link.normal.at(lane)));
+                let (coupling, inverse_mass) = if UNIT_MASS {
+                    (coupling, S::ONE + S::ONE)
+                } else {
+                    let here = heavy.scaled(u[place.column::<N, W>(k) + lane]);
+                    let next = heavy.scaled(v[place.column::<N, W>(k + 1) + lane]);
+                    (coupling * here, here + next)
+                };
+                let diagonal = inverse_mass * own + divisor;
+                (above[lane], link.factor[lane]) = above[lane].next::<UNIT_MASS>(diagonal, coupling, link.change[lane]);
+                link.change[lane] = above[lane].right;
+            }
+            before = link.normal;
+        }
+    }
+
+    /// Substitutes up the chains: adds to multipliers what they change by, and moves particles. Returns the largest change in each.
+    #[inline(always)]
+    fn substitute_some<const N: usize, const UNIT_MASS: bool>(
+        &self,
+        links: &mut Links<S, N, H>,
+        particles: &mut Particles<S, W, H>,
+        place: Place,
+        tension: &mut Grid<S, W, H>,
+    ) -> [S; N] {
+        let [mut change, mut factor, mut most] = [[S::ZERO; N]; 3];
+        let mut below = Vec3::<[S; N]>::row(Vec3::ZERO);
+        for (k, link) in links.iter_mut().enumerate().rev() {
+            let tension = &mut tension.0[place.row::<H>(k)];
+            let (mut pull, mut by) = (below, below);
+            for lane in 0..N {
+                change[lane] = link.change[lane] + times::<UNIT_MASS, S, S>(change[lane], factor[lane]);
+                link.change[lane] = change[lane];
+                most[lane] = most[lane].max(change[lane]);
+                pull.set(
+                    lane,
+                    link.normal.at(lane).of_length(self.strength.times_dividend(change[lane]), self.rounding),
+                );
+                by.set(lane, below.at(lane) - pull.at(lane));
+            }
+            for lane in 0..N {
+                let column = place.column::<N, W>(k) + lane;
+                tension[column] = tension[column].difference(-change[lane]); // does not wrap
+            }
+            self.displace_some::<N, UNIT_MASS>(particles, place, k + 1, by);
+            (below, factor) = (pull, link.factor);
+        }
+        self.displace_some::<N, UNIT_MASS>(particles, place, 0, below);
+        most
+    }
+
+    /// Moves the particles `k` of chains by what their links ask of particles of mass 1.
+    #[inline(always)]
+    fn displace_some<const N: usize, const UNIT_MASS: bool>(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        place: Place,
+        k: usize,
+        by: Vec3<[S; N]>,
+    ) {
+        let (row, heavy) = (place.row::<H>(k), self.heavy::<UNIT_MASS>());
+        let w = &particles.inverse_mass.0[row];
+        let (x, v) = (&mut particles.position.0[row], &mut particles.velocity.0[row]);
+        for lane in 0..N {
+            let column = place.column::<N, W>(k) + lane;
+            let by = by.at(lane);
+            displace(x, v, column, if UNIT_MASS { by } else { by * heavy.scaled(w[column]) }, self.moment);
+        }
+    }
+
+    /// What is added to the diagonal of one of some chains, whose residuals are known.
+    #[cold]
+    #[inline(never)]
+    fn regularisation_of<const N: usize>(
+        links: &[Link<S, N>],
+        particles: &Particles<S, W, H>,
+        place: Place,
+        lane: usize,
+        heavy: Heavy,
+    ) -> S {
+        let lane = lane.min(N - 1);
+        let mut residual = [S::ZERO; H];
+        residual.iter_mut().zip(links).for_each(|(residual, link)| *residual = link.change[lane]);
+        regularisation(&residual, &Self::inverse_masses(particles, place, lane, heavy), place.count)
+    }
+
+    /// Eases one of some chains.
+    #[inline(never)] // few chains are that taut
+    fn ease_one<const N: usize>(
+        &self,
+        links: &[Link<S, N>],
+        particles: &mut Particles<S, W, H>,
+        place: Place,
+        lane: usize,
+        heavy: Heavy,
+    ) {
+        let lane = lane.min(N - 1);
+        let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
+        let mut change = [S::ZERO; H];
+        for (k, link) in links.iter().enumerate().take(H) {
+            normal.set(k, link.normal.at(lane));
+            change[k] = link.change[lane];
+        }
+        self.add_geometric_stiffness(particles, place, lane, (&normal, &change), heavy);
+    }
+
+    fn inverse_masses(particles: &Particles<S, W, H>, place: Place, lane: usize, heavy: Heavy) -> [S; H] {
+        core::array::from_fn(|k| {
+            if k < place.count {
+                heavy.scaled(particles.inverse_mass.0[place.row::<H>(k)][(place.column::<1, W>(k) + lane).min(W - 1)])
+            } else {
+                S::ZERO
+            }
+        })
+    }
+
+    /// Eases one of some chains, whose links have these directions and changes of multipliers.
+    #[inline(never)] // few chains are that taut
+    pub(super) fn add_geometric_stiffness(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        place: Place,
+        lane: usize,
+        (normal, changes): (&Vec3<[S; H]>, &[S; H]),
+        heavy: Heavy,
+    ) {
+        let tension = changes.map(|change| self.strength.times_dividend(change));
+        let w = Self::inverse_masses(particles, place, lane, heavy);
+        let by = geometric_stiffness(normal, &tension, &w, place.count, self.rest.inverse, heavy);
+        for k in 0..place.count.min(H) {
+            let (row, column) = (place.row::<H>(k), (place.column::<1, W>(k) + lane).min(W - 1));
+            displace(&mut particles.position.0[row], &mut particles.velocity.0[row], column, by.at(k), self.moment);
+        }
+    }
+}
