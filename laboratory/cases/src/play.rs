@@ -23,8 +23,9 @@ const fn number<S: Scalar>() -> Number {
     Number { name: S::NAME, play: play::<S> }
 }
 
-/// Every number type, in the order of the table. Boards leave out f64, for which they have no unit: it would take minutes.
-pub const NUMBERS: &[Number] = &[
+/// Every number type, in the order of the table. Boards leave out f64, for which they have no unit: it would take minutes. A static, so that what plays is compiled here
+/// and not once more in each program.
+pub static NUMBERS: &[Number] = &[
     number::<f32>(),
     #[cfg(not(target_os = "none"))]
     number::<f64>(),
