@@ -18,6 +18,7 @@ mod force_sum;
 mod forward_euler;
 mod leapfrog;
 mod lines;
+mod physics;
 mod predict;
 mod sweep;
 mod unit_mass;
@@ -27,7 +28,7 @@ mod xpbd;
 use core::marker::PhantomData;
 
 use crate::cloth::Cloth;
-use crate::collider::{Collider, resolve};
+use crate::collider::Collider;
 use crate::force::Force;
 use crate::link::Links;
 use crate::moment::Moment;
@@ -38,28 +39,9 @@ pub use backward_euler::BackwardEuler;
 pub use forward_euler::ForwardEuler;
 pub use leapfrog::Leapfrog;
 pub use lines::{Lines, Memory as LinesMemory};
+pub use physics::Physics;
 pub use verlet::Verlet;
 pub use xpbd::Xpbd;
-
-/// All that acts on a sheet.
-#[derive(Debug)]
-pub struct Physics<'a, F, L, C> {
-    /// What pulls from outside.
-    pub forces: &'a F,
-    /// What holds particles together.
-    pub links: &'a L,
-    /// What is in the way.
-    pub colliders: &'a C,
-}
-
-// not derived: references are copied whatever they refer to
-impl<F, L, C> Copy for Physics<'_, F, L, C> {}
-
-impl<F, L, C> Clone for Physics<'_, F, L, C> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
 
 /// A way to move a sheet.
 pub trait Solver<S: Scalar> {
@@ -104,15 +86,4 @@ impl<S, const W: usize, const H: usize> Stateless<S, W, H> {
     pub const fn new() -> Self {
         Self(PhantomData)
     }
-}
-
-/// Ends a substep: what links and colliders forbid is undone.
-#[inline]
-fn confine<S: Scalar, F, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
-    physics: Physics<'_, F, L, C>,
-    particles: &mut Particles<S, W, H>,
-    moment: Moment,
-) {
-    physics.links.confine(particles, moment);
-    resolve(physics.colliders, particles, moment);
 }

@@ -20,7 +20,7 @@ use crate::link::{Damping, Family, Links, OneByOne, Order, Visitor, fits, one_by
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, confine, predict};
+use crate::solver::{Physics, Solver, predict};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
@@ -100,7 +100,7 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
                 particles.displace(node, step, moment);
             });
         }
-        confine(physics, particles, moment);
+        physics.confine(particles, moment);
     }
 }
 

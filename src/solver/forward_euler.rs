@@ -7,7 +7,7 @@ use crate::link::Links;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, confine, force_sum, predict};
+use crate::solver::{Physics, Solver, predict};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
@@ -40,7 +40,7 @@ impl<S: Scalar> Solver<S> for ForwardEuler {
         gain: &mut Self::Memory<L, W, H>,
         moment: Moment,
     ) {
-        force_sum::gains(physics.forces, physics.links, particles, moment.shift, gain);
+        physics.gains(particles, moment, gain);
         predict::drift(particles, moment.shift);
         let rate = physics.forces.drag().rate;
         for node in Grid::<S, W, H>::nodes() {
@@ -51,6 +51,6 @@ impl<S: Scalar> Solver<S> for ForwardEuler {
                     .set(node, if F::DRAG { velocity - velocity * rate } else { velocity } + gain.at(node));
             }
         }
-        confine(physics, particles, moment);
+        physics.confine(particles, moment);
     }
 }

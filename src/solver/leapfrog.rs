@@ -7,7 +7,7 @@ use crate::link::{Damping, Family, Links, Visitor};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, confine, force_sum, predict};
+use crate::solver::{Physics, Solver, predict};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
@@ -52,7 +52,7 @@ impl<S: Scalar> Solver<S> for Leapfrog {
         let Memory { gain, start } = memory;
         let shift = moment.shift;
         predict::drift(particles, shift + 1);
-        force_sum::gains(physics.forces, physics.links, particles, shift, gain);
+        physics.gains(particles, moment, gain);
         let drag = physics.forces.drag();
         if physics.forces.follows_velocity() || is_damped(physics.links) {
             *start = particles.velocity;
@@ -62,7 +62,7 @@ impl<S: Scalar> Solver<S> for Leapfrog {
                     particles.velocity.add(node, change.halve(1));
                 }
             }
-            force_sum::gains(physics.forces, physics.links, particles, shift, gain);
+            physics.gains(particles, moment, gain);
             particles.velocity = *start;
         }
         for node in Grid::<S, W, H>::nodes() {
@@ -75,7 +75,7 @@ impl<S: Scalar> Solver<S> for Leapfrog {
             }
         }
         predict::drift(particles, shift + 1);
-        confine(physics, particles, moment);
+        physics.confine(particles, moment);
     }
 }
 

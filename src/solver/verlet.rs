@@ -6,7 +6,7 @@ use crate::link::Links;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, Stateless, confine, predict, sweep};
+use crate::solver::{Physics, Solver, Stateless};
 use crate::vec3::Vec3;
 
 /// Position Verlet `x' = x + (1 − D)·(x − x_old) + h²·a` (thesis, among equations 4.7–4.13, and listing 5.5), then `sweeps` relaxations of all springs.
@@ -51,12 +51,12 @@ impl<S: Scalar> Solver<S> for Verlet {
         moment: Moment,
     ) {
         let decay = physics.forces.drag().decay;
-        predict::damp(physics.links, particles);
+        physics.damp(particles);
         let next = |velocity: Vec3<S>, gain: Vec3<S>| {
             if F::DRAG { velocity * decay + gain } else { velocity + gain }
         };
-        predict::predict(physics.forces, particles, next, sweep::go::<S, L>(moment));
-        sweep::sweeps(physics.links, particles, moment, self.sweeps);
-        confine(physics, particles, moment);
+        physics.predict(particles, moment, next);
+        physics.sweep(particles, moment, self.sweeps);
+        physics.confine(particles, moment);
     }
 }

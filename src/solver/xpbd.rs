@@ -6,7 +6,7 @@ use crate::link::Links;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, Stateless, confine, predict, sweep};
+use crate::solver::{Physics, Solver, Stateless};
 use crate::vec3::Vec3;
 
 /// Extended position-based dynamics, first order, stable for any stiffness and step.
@@ -38,12 +38,12 @@ impl<S: Scalar> Solver<S> for Xpbd {
         moment: Moment,
     ) {
         let drag = physics.forces.drag();
-        predict::damp(physics.links, particles);
+        physics.damp(particles);
         let next = |velocity: Vec3<S>, gain: Vec3<S>| {
             if F::DRAG { velocity * drag.decay + gain * drag.gain } else { velocity + gain }
         };
-        predict::predict(physics.forces, particles, next, sweep::go::<S, L>(moment));
-        sweep::sweeps(physics.links, particles, moment, 1);
-        confine(physics, particles, moment);
+        physics.predict(particles, moment, next);
+        physics.sweep(particles, moment, 1);
+        physics.confine(particles, moment);
     }
 }

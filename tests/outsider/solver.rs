@@ -2,10 +2,10 @@
 
 use kerchief::force::{Force, Row};
 use kerchief::link::{Family, Links, Visitor, each};
-use kerchief::solver::Physics;
+use kerchief::solver::{Physics, Stateless};
 use kerchief::{
-    Cloth, Collider, Gravity, Grid, Leapfrog, Moment, Node, Particles, Scalar, Scene, Solver, Sphere, Stretch, Units,
-    Vec3, Vectors, measure,
+    Cloth, Collider, Damped, Gravity, Grid, Leapfrog, Moment, Node, Particles, Q13, Q24, Scalar, Scene, Solver, Sphere,
+    Stretch, Units, Vec3, Vectors, Xpbd, measure,
 };
 
 #[derive(Clone, Copy)]
@@ -129,4 +129,81 @@ fn a_solver_of_ones_own_meets_colliders() {
         }
     }
     assert!(touched, "the sheet reached the ball");
+}
+
+/// The semi-implicit Euler method again, by the crate's own stages.
+#[derive(Clone, Copy)]
+struct OfStages;
+
+impl<S: Scalar> Solver<S> for OfStages {
+    type Memory<L: Links<S>, const W: usize, const H: usize> = Vectors<S, W, H>;
+
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
+        Vectors::filled(Vec3::ZERO)
+    }
+
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        particles: &mut Particles<S, W, H>,
+        gain: &mut Self::Memory<L, W, H>,
+        moment: Moment,
+    ) {
+        physics.gains(particles, moment, gain);
+        for node in Grid::<S, W, H>::nodes() {
+            particles.velocity.add(node, gain.at(node));
+            particles.position.add(node, moment.displacement(particles.velocity.at(node)));
+        }
+        physics.confine(particles, moment);
+    }
+}
+
+#[test]
+fn stages_are_what_an_outsider_writes_by_hand() {
+    let [stages, by_hand] = [swing(OfStages, 64), swing(SemiImplicitEuler, 64)];
+    assert!((stages - by_hand).length() < 1e-12, "{stages:?} {by_hand:?}");
+}
+
+/// XPBD by the crate's own stages, for a sheet without drag.
+struct Projected;
+
+impl<S: Scalar> Solver<S> for Projected {
+    type Memory<L: Links<S>, const W: usize, const H: usize> = Stateless<S, W, H>;
+
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Stateless<S, W, H> {
+        Stateless::new()
+    }
+
+    fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
+        &self,
+        physics: Physics<'_, F, L, C>,
+        particles: &mut Particles<S, W, H>,
+        _memory: &mut Stateless<S, W, H>,
+        moment: Moment,
+    ) {
+        physics.damp(particles);
+        physics.predict(particles, moment, |velocity, gain| velocity + gain);
+        physics.sweep(particles, moment, 1);
+        physics.confine(particles, moment);
+    }
+}
+
+#[test]
+fn stages_make_the_crates_own_solver() {
+    fn digest<S: Scalar>(solver: impl Solver<S>) -> u32 {
+        let units = units(8);
+        let mut cloth = Cloth::<S, 5, 5>::lay(&units, units.point([-0.2, -0.2, 0.0]));
+        cloth.pin(Node::new(0, 0));
+        let forces = Gravity::new(units.acceleration([0.0, 0.0, -9.81]));
+        let links = Damped::new(Stretch::new(&units, units.stiffness(20.0)), units.damping(1e-3));
+        let ball = Sphere::new(units.point([0.0, 0.0, -0.3]), units.length(0.2), units.length(0.0));
+        let scene = Scene::new(&units, forces, links, ball, solver);
+        let mut memory = scene.memory();
+        (0..25).for_each(|_| scene.step(&mut cloth, &mut memory));
+        measure::digest(&cloth)
+    }
+    assert_eq!(digest::<f32>(Projected), digest::<f32>(Xpbd));
+    assert_eq!(digest::<f64>(Projected), digest::<f64>(Xpbd));
+    assert_eq!(digest::<Q24>(Projected), digest::<Q24>(Xpbd));
+    assert_eq!(digest::<Q13>(Projected), digest::<Q13>(Xpbd));
 }
