@@ -23,8 +23,8 @@
 //! assert!(measure::strain(&cloth, &scene.links.0).largest.to_f64() < 0.02);
 //! ```
 //!
-//! `examples/hello.rs` draws this sheet in a terminal, `examples/draw.rs` a denim one as a picture. On a host [scene files](host#the-file) describe sheets without a
-//! line of Rust (feature `std`).
+//! `examples/hello.rs` draws this sheet in a terminal, `examples/draw.rs` a denim one as a picture. On a host [scene files](guide::scene_file) describe sheets without a
+//! line of Rust (feature `std`). [The guide](guide) has short pages on sizes, solvers, wind, colliders, drawing, boards and what goes wrong.
 //!
 //! Another number type is another name in `Sheet<Q24, …>`; another solver is another last argument; a wind is one more member of a tuple.
 //!
@@ -73,6 +73,9 @@ pub mod collider;
 pub mod fingerprint;
 pub mod force;
 pub mod grid;
+// pages of documentation, without an item
+#[cfg(doc)]
+pub mod guide;
 #[cfg(feature = "std")]
 pub mod host;
 pub mod link;

@@ -168,7 +168,7 @@ impl Watch {
 impl Report {
     /// When the sheet exploded, how, and where help is.
     pub(crate) fn explosion(&self) -> Option<String> {
-        self.exploded.map(|(frame, limit)| format!("exploded in frame {frame}: {limit}; see docs/symptoms.md"))
+        self.exploded.map(|(frame, limit)| format!("exploded in frame {frame}: {limit}; see docs/guide/symptoms.md"))
     }
 }
 

@@ -728,7 +728,10 @@ fn explodes(room: &Path, args: &[&str], reason: &str) -> u32 {
     let stderr = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(3), "{args:?}: {stderr}");
     assert_eq!(stderr.lines().count(), 1, "{args:?}: {stderr:?}");
-    assert!(stderr.contains(reason) && stderr.trim_end().ends_with("see docs/symptoms.md"), "{args:?}: {stderr:?}");
+    assert!(
+        stderr.contains(reason) && stderr.trim_end().ends_with("see docs/guide/symptoms.md"),
+        "{args:?}: {stderr:?}"
+    );
     let stdout = String::from_utf8(output.stdout).unwrap();
     assert!(stdout.contains("finite            no") && stdout.contains("written to"), "{args:?}: {stdout}");
     assert_eq!(report(room)["finite"], false, "{args:?}");
