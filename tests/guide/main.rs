@@ -4,6 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+mod claims;
+
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 /// Words that a page may have.
 const MOST_WORDS: usize = 500;
