@@ -7,6 +7,8 @@ mod capsule;
 mod moving;
 mod plane;
 mod sphere;
+#[cfg(test)]
+mod wrapped;
 
 use crate::fingerprint::Fingerprint;
 use crate::grid::Node;
@@ -265,6 +267,11 @@ impl<S: Scalar> Collider<S> for () {
     #[inline]
     fn contact(&self, _moment: Moment, _position: Vec3<S>, _moved: Vec3<S>) -> Option<Contact<S>> {
         None
+    }
+
+    #[inline]
+    fn reaches(&self, _moment: Moment, _low: Vec3<S>, _high: Vec3<S>) -> bool {
+        false
     }
 
     #[inline]

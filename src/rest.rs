@@ -311,6 +311,8 @@ fn surroundings<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>>(physics: Ph
 impl<S: Scalar, V: Solver<S>> Solver<S> for Resting<V> {
     type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<V::Memory<L, W, H>, S, W, H>;
 
+    const WHOLE_FRAMES: bool = true;
+
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         Memory::new(self.solver.memory())
     }

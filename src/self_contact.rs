@@ -190,6 +190,7 @@ impl<S: Scalar, V: Solver<S>> Solver<S> for SelfContact<S, V> {
     type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<V::Memory<L, W, H>, W, H>;
 
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
+        const { assert!(!V::WHOLE_FRAMES, "`Resting` stands around `SelfContact`, or the sheet never rests") };
         Memory { solver: self.solver.memory(), near: Near::NONE }
     }
 

@@ -48,6 +48,9 @@ pub trait Solver<S: Scalar> {
     /// What the solver remembers of a sheet with such links from substep to substep, or needs within one.
     type Memory<L: Links<S>, const W: usize, const H: usize>;
 
+    /// Whether it decides on whole frames, in a [`frame`](Self::frame) of its own, as [`Resting`](crate::Resting) does. What works substep by substep does not stand around it.
+    const WHOLE_FRAMES: bool = false;
+
     /// Memory for a sheet at the start of its motion.
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H>;
 

@@ -12,7 +12,7 @@ use crate::vec3::Vec3;
 
 /// A collider on its way: a scene that has one is [played](crate::Scene::play), which moves it on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moving<C>(C);
+pub struct Moving<C>(pub(super) C);
 
 impl<S: Scalar> Moving<Sphere<S>> {
     #[track_caller]

@@ -180,6 +180,8 @@ impl<S: Scalar> SceneSolver<S> {
 impl<S: Scalar> Solver<S> for SceneSolver<S> {
     type Memory<L: Links<S>, const W: usize, const H: usize> = rest::Memory<LayeredMemory<S, L, W, H>, S, W, H>;
 
+    const WHOLE_FRAMES: bool = true;
+
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         rest::Memory::new(self.solver.memory())
     }
