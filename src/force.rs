@@ -5,6 +5,8 @@
 mod hand;
 mod panel;
 mod wind;
+#[cfg(test)]
+mod wrapped;
 
 use crate::fingerprint::Fingerprint;
 use crate::scalar::Scalar;
