@@ -203,8 +203,8 @@ pub struct Memory<M, S, const W: usize, const H: usize> {
 }
 
 impl<M, S: Scalar, const W: usize, const H: usize> Memory<M, S, W, H> {
-    /// The memory of a sheet in motion.
-    pub fn new(solver: M) -> Self {
+    /// The memory of a sheet in motion. In a constant too, for a `static` of a board.
+    pub const fn new(solver: M) -> Self {
         Self { solver, watch: Watch::AWAKE, places: Places(Grid::filled([0; 3])) }
     }
 

@@ -21,7 +21,7 @@ compile_error!("firmware runs on a board: run cargo in examples/ssd1306, whose .
 use embedded_graphics::pixelcolor::BinaryColor;
 use embedded_graphics::prelude::*;
 use kerchief::render::{Camera, View, Wireframe};
-use kerchief::{AerodynamicWind, Cloth, Gravity, Node, Q13, Scene, Shear, Stretch, Units, Xpbd};
+use kerchief::{Node, Q13, Sheet, Xpbd};
 use panic_halt as _;
 use rp2040_hal::clocks::{Clock, init_clocks_and_plls};
 use rp2040_hal::fugit::RateExtU32;
@@ -39,9 +39,10 @@ static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 /// Pictures in a second. Of the 50 ms of each, I2C takes 24 to send it.
 const RATE: u32 = 20;
 /// 13 × 9 particles of 2 g each, 1.2 m × 0.8 m, four substeps a picture.
-const UNITS: Units = Units::sheet([13, 9], [1.2, 0.8], 0.002, 1.0 / RATE as f64, 4);
+const SHEET: Sheet<Q13, 13, 9> = Sheet::new([1.2, 0.8], 0.002, 1.0 / RATE as f64, 4);
 const SCREEN: Size = Size::new(128, 64);
-const VIEW: View = View::new(15.0, 0.0).fit(UNITS.point([0.0, -0.2, -0.86]), UNITS.point([1.2, 0.2, 0.02]), SCREEN);
+const VIEW: View =
+    View::new(15.0, 0.0).fit(SHEET.units.point([0.0, -0.2, -0.86]), SHEET.units.point([1.2, 0.2, 0.02]), SCREEN);
 
 #[rp2040_hal::entry]
 fn main() -> ! {
@@ -60,12 +61,10 @@ fn main() -> ! {
         .into_buffered_graphics_mode();
     display.init().unwrap();
 
-    let mut cloth = Cloth::<Q13, 13, 9>::hang(&UNITS, UNITS.point([0.0; 3]));
+    let mut cloth = SHEET.hang([0.0; 3]);
     (0..9).for_each(|row| cloth.pin(Node::new(0, row)));
-    let gravity = Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81]));
-    let wind = AerodynamicWind::new(UNITS.aerodynamic_wind([8.0, 1.0, 0.0], 1.2, 1.2));
-    let links = (Stretch::new(&UNITS, UNITS.stiffness(200.0)), Shear::new(&UNITS, UNITS.stiffness(10.0)));
-    let scene = Scene::new(&UNITS, (gravity, wind), links, (), Xpbd);
+    let forces = (SHEET.gravity([0.0, 0.0, -9.81]), SHEET.aerodynamic_wind([8.0, 1.0, 0.0], 1.2, 1.2));
+    let scene = SHEET.scene(forces, (SHEET.stretch(200.0), SHEET.shear(10.0)), (), Xpbd::new());
     let mut memory = scene.memory();
     let camera = Camera::new(&VIEW, SCREEN);
     let mut next = timer.get_counter_low();

@@ -1,6 +1,6 @@
 //! What the number types run: a sheet of 16 × 16 that swings down from two corners, by two solvers.
 
-use kerchief::{Cloth, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Solver, Stretch, Units, Xpbd, measure};
+use kerchief::{Lines, Node, Q13, Q24, Scalar, Sheet, Solver, Xpbd, measure};
 
 /// Particles a side.
 pub const SIDE: usize = 16;
@@ -8,8 +8,8 @@ pub const SIDE: usize = 16;
 pub const FRAMES: u32 = 60;
 
 /// A sheet of 10 m × 10 m with particles of 1 kg.
-const fn units(substeps: u32) -> Units {
-    Units::sheet([SIDE, SIDE], [10.0, 10.0], 1.0, 1.0 / 60.0, substeps)
+const fn sheet<S: Scalar>(substeps: u32) -> Sheet<S, SIDE, SIDE> {
+    Sheet::new([10.0, 10.0], 1.0, 1.0 / 60.0, substeps)
 }
 
 /// Who takes the time.
@@ -44,24 +44,16 @@ pub fn race(judge: &mut impl Judge) {
 }
 
 fn by_both<S: Scalar>(judge: &mut impl Judge) {
-    const MANY: Units = units(8);
-    const FEW: Units = units(2);
-    run("XPBD, 8 substeps", &scene::<S, _>(&MANY, Xpbd), &MANY, judge);
-    run("lines, 2 substeps", &scene::<S, _>(&FEW, Lines::with_sweeps(1)), &FEW, judge);
-}
-
-/// A sheet under its weight.
-type Hanging<S, V> = Scene<Gravity<S>, (Stretch<S>, Shear<S>), (), V>;
-
-fn scene<S: Scalar, V>(units: &Units, solver: V) -> Hanging<S, V> {
-    let gravity = Gravity::new(units.acceleration([0.0, 0.0, -9.81]));
-    let links = (Stretch::new(units, units.stiffness(942_700.0)), Shear::new(units, units.stiffness(9_427.0)));
-    Scene::new(units, gravity, links, (), solver)
+    let (many, few) = const { (sheet::<S>(8), sheet::<S>(2)) };
+    run("XPBD, 8 substeps", &many, Xpbd::new(), judge);
+    run("lines, 2 substeps", &few, Lines::with_sweeps(1), judge);
 }
 
 #[inline(never)]
-fn run<S: Scalar, V: Solver<S>>(solver: &'static str, scene: &Hanging<S, V>, units: &Units, judge: &mut impl Judge) {
-    let mut cloth = Cloth::<S, SIDE, SIDE>::hang(units, units.point([0.0; 3]));
+fn run<S: Scalar, V: Solver<S>>(name: &'static str, sheet: &Sheet<S, SIDE, SIDE>, solver: V, judge: &mut impl Judge) {
+    let links = (sheet.stretch(942_700.0), sheet.shear(9_427.0));
+    let scene = sheet.scene(sheet.gravity([0.0, 0.0, -9.81]), links, (), solver);
+    let mut cloth = sheet.hang([0.0; 3]);
     [0, SIDE - 1].into_iter().for_each(|column| cloth.pin(Node::new(column, 0)));
     let mut memory = scene.memory();
     let (mut cost, mut strain) = (0, 0);
@@ -70,5 +62,5 @@ fn run<S: Scalar, V: Solver<S>>(solver: &'static str, scene: &Hanging<S, V>, uni
         strain = strain.max(measure::strain(&cloth, &scene.links.0).largest.round_times(10_000));
     }
     let digest = measure::digest(&cloth);
-    judge.result(Result { number: S::NAME, solver, cost: cost / u64::from(FRAMES), strain, digest });
+    judge.result(Result { number: S::NAME, solver: name, cost: cost / u64::from(FRAMES), strain, digest });
 }

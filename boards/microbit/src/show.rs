@@ -1,7 +1,8 @@
 //! What the LEDs show: a flag of 8 × 8 particles, brighter where it blows towards the viewer.
 
+use kerchief::scene::Only;
 use kerchief::solver::Stateless;
-use kerchief::{Cloth, Gravity, Node, PanelWind, Q13, Scalar, Scene, Shear, Stretch, Units, Vec3, Xpbd};
+use kerchief::{Cloth, Gravity, Node, PanelWind, Q13, Scalar, Scene, Shear, Sheet, Stretch, Vec3, Xpbd};
 
 use crate::leds::{BRIGHTEST, LEDS};
 
@@ -11,7 +12,7 @@ const SIDE: usize = 8;
 pub const RATE: u32 = 60;
 
 /// A flag of 7 m × 7 m.
-const UNITS: Units = Units::sheet([SIDE, SIDE], [7.0, 7.0], 0.2, 1.0 / RATE as f64, 1);
+const SHEET: Sheet<Q13, SIDE, SIDE> = Sheet::new([7.0, 7.0], 0.2, 1.0 / RATE as f64, 1);
 /// The strongest wind, by the buttons.
 const STRONGEST: u32 = 3;
 
@@ -23,7 +24,7 @@ type Springs = (Stretch<Q13>, Shear<Q13>);
 pub struct Show {
     /// The flag.
     pub cloth: Cloth<Q13, SIDE, SIDE>,
-    scene: Scene<Forces, Springs, (), Xpbd>,
+    scene: Scene<Forces, Springs, (), Xpbd, Only<Q13, SIDE, SIDE>>,
     /// How strongly it blows: 0 is calm.
     wind: u32,
     /// Steps since the start.
@@ -33,12 +34,11 @@ pub struct Show {
 impl Show {
     /// A flag that hangs from its pole, in wind.
     pub fn new() -> Self {
-        let mut cloth = Cloth::hang(&UNITS, UNITS.point([0.0; 3]));
+        let mut cloth = SHEET.hang([0.0; 3]);
         (0..SIDE).for_each(|row| cloth.pin(Node::new(0, row)));
-        let air = PanelWind::new(UNITS.panel_wind([0.0; 3], 1.2, 1.2));
-        let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), air);
-        let links = (Stretch::new(&UNITS, UNITS.stiffness(5_000.0)), Shear::new(&UNITS, UNITS.stiffness(500.0)));
-        Self { cloth, scene: Scene::new(&UNITS, forces, links, (), Xpbd), wind: 2, step: 0 }
+        let forces = (SHEET.gravity([0.0, 0.0, -9.81]), SHEET.panel_wind([0.0; 3], 1.2, 1.2));
+        let links = (SHEET.stretch(5_000.0), SHEET.shear(500.0));
+        Self { cloth, scene: SHEET.scene(forces, links, (), Xpbd::new()), wind: 2, step: 0 }
     }
 
     /// More wind, or less.
@@ -49,7 +49,7 @@ impl Show {
     /// A step.
     pub fn step(&mut self) {
         /// 3 m/s, 2⁻²⁴ cells per tick.
-        const UNIT: i32 = (UNITS.velocity([3.0, 0.0, 0.0]).0[0] * (1 << 24) as f64) as i32;
+        const UNIT: i32 = (SHEET.units.velocity([3.0, 0.0, 0.0]).0[0] * (1 << 24) as f64) as i32;
         self.step += 1;
         let strength = UNIT * self.wind as i32;
         // it turns from side to side

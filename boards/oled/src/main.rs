@@ -42,16 +42,16 @@ use kerchief::measure;
 use kerchief::render::Canvas;
 use meter::{Lap, Meter, shown};
 use oled::picture::Picture;
-use oled::show::{RATE, Show};
+use oled::show::{RATE, Room, Show};
 use pace::Pace;
 use panic_probe as _;
 use ssd0323::Ssd0323;
-use static_cell::StaticCell;
+use static_cell::{ConstStaticCell, StaticCell};
 
 /// Steps between two lines of the log.
 const LOGGED: u32 = 60;
 
-static SHOW: StaticCell<Show> = StaticCell::new();
+static ROOM: ConstStaticCell<Room> = ConstStaticCell::new(Room::BLANK);
 static CANVAS: StaticCell<Canvas<Picture>> = StaticCell::new();
 
 #[cortex_m_rt::entry]
@@ -61,7 +61,7 @@ fn main() -> ! {
     let mut joystick = board.joystick;
     let Ok(spi) = ExclusiveDevice::new_no_delay(board.spi, board.select);
     let Ok(mut display) = Ssd0323::new(spi, board.data);
-    let show = SHOW.init_with(Show::new);
+    let mut show = Show::new(ROOM.take());
     let canvas = CANVAS.init_with(|| Canvas::new(Picture::new()));
     // what a display shows at first is anything
     let Ok(()) = canvas.clear(Gray4::BLACK);
@@ -93,7 +93,7 @@ fn main() -> ! {
         if step % LOGGED < due {
             let gone = clock.cycles().wrapping_sub(logged);
             logged = logged.wrapping_add(gone);
-            meter.log(step, meter.rate(FREQUENCY, gone), pace.dropped, measure::digest(&show.cloth));
+            meter.log(step, meter.rate(FREQUENCY, gone), pace.dropped, measure::digest(show.cloth));
         }
         shown(step);
     }

@@ -5,8 +5,10 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Line, PrimitiveStyle};
 use kerchief::render::pattern::{CELL, Pattern, Place};
 use kerchief::render::{Camera, Finish, Light, Look, Shade, Shaded, View};
+use kerchief::scene::Only;
 use kerchief::{
-    Cloth, Drag, Gravity, Node, Q13, Resting, Scalar, Scene, Shear, Solver, Stillness, Stretch, Units, Vec3, Xpbd,
+    Cloth, Drag, Gravity, Lines, LinesMemory, Node, Q13, Resting, Scalar, Scene, Shear, Sheet, Solver, Stillness,
+    Stretch, Vec3, measure,
 };
 
 /// Particles a side.
@@ -16,12 +18,12 @@ pub const RATE: u32 = 30;
 /// The display.
 pub const SCREEN: Size = Size::new(128, 64);
 
-/// Substeps of a step.
-const SUBSTEPS: u32 = 5;
-
 /// A theatre's curtain of 12 m × 6.4 m.
-const UNITS: Units = Units::sheet([SIDE, SIDE], [12.0, 6.4], 0.1, 1.0 / RATE as f64, SUBSTEPS);
-const VIEW: View = View::new(0.0, 6.0).fit(UNITS.point([-5.41, -0.5, -6.3]), UNITS.point([5.41, 0.5, 0.1]), SCREEN);
+const SHEET: Sheet<Q13, SIDE, SIDE> = Sheet::new([12.0, 6.4], 0.1, 1.0 / RATE as f64, 1);
+const VIEW: View = {
+    let corners = [SHEET.units.point([-5.41, -0.5, -6.3]), SHEET.units.point([5.41, 0.5, 0.1])];
+    View::new(0.0, 6.0).fit(corners[0], corners[1], SCREEN)
+};
 /// Slower than 2 cm/s for a second, it rests.
 const STILL: Stillness = Stillness { speed: 0.02, acceleration: 0.02, time: 1.0 };
 /// The rings of a fold, of five columns: how far each is from the one before along the rod, and how far out of line, in the distance of columns.
@@ -32,8 +34,21 @@ const FOLD: [[f64; 2]; 5] =
 const HALF: f64 = 6.64065;
 
 type Forces = (Gravity<Q13>, Drag<Q13>);
-type Mover = Resting<Xpbd>;
+type Mover = Resting<Lines>;
 type Springs = (Stretch<Q13>, Shear<Q13>);
+type Memory = <Mover as Solver<Q13>>::Memory<Springs, SIDE, SIDE>;
+
+/// Where the curtain is, and what its solver remembers: too much for the stack of a board, which has it in a `static`.
+#[derive(Debug)]
+pub struct Room {
+    cloth: Cloth<Q13, SIDE, SIDE>,
+    memory: Memory,
+}
+
+impl Room {
+    /// Before the curtain is hung.
+    pub const BLANK: Self = Self { cloth: Cloth::BLANK, memory: Memory::new(LinesMemory::BLANK) };
+}
 
 /// White, with trimmings near the lower end.
 #[derive(Clone, Copy, Debug)]
@@ -76,11 +91,11 @@ pub struct Stick {
 
 /// The curtain, what moves it and how it is drawn.
 #[derive(Debug)]
-pub struct Show {
+pub struct Show<'a> {
     /// The curtain.
-    pub cloth: Cloth<Q13, SIDE, SIDE>,
-    scene: Scene<Forces, Springs, (), Mover>,
-    memory: <Mover as Solver<Q13>>::Memory<Springs, SIDE, SIDE>,
+    pub cloth: &'a mut Cloth<Q13, SIDE, SIDE>,
+    scene: Scene<Forces, Springs, (), Mover, Only<Q13, SIDE, SIDE>>,
+    memory: &'a mut Memory,
     /// How far gravity is tilted, in parts of `STEEPEST`.
     tilt: Stick,
     shaded: Shaded<Look<Fabric, Fabric>, SIDE, SIDE>,
@@ -90,17 +105,17 @@ pub struct Show {
 /// The horizontal part of gravity at most, in 32nds of its vertical part.
 const STEEPEST: i32 = 16;
 
-impl Show {
+impl<'a> Show<'a> {
     /// The curtain has just been drawn to the side: it still swings.
-    pub fn new() -> Self {
-        let mut cloth = Cloth::hang(&UNITS, UNITS.point([-6.0, 0.0, 0.0]));
-        gather(&mut cloth);
-        let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), Drag::new(UNITS.drag(1.2)));
-        let links = (Stretch::new(&UNITS, UNITS.stiffness(20_000.0)), Shear::new(&UNITS, UNITS.stiffness(400.0)));
-        let scene = Scene::new(&UNITS, forces, links, (), Resting::new(&UNITS, STILL, Xpbd));
+    pub fn new(Room { cloth, memory }: &'a mut Room) -> Self {
+        cloth.hang_here(&SHEET.units, SHEET.units.point([-6.0, 0.0, 0.0]));
+        gather(cloth);
+        let forces = (SHEET.gravity([0.0, 0.0, -9.81]), SHEET.drag(1.2));
+        let links = (SHEET.stretch(20_000.0), SHEET.shear(400.0));
+        let scene = SHEET.scene(forces, links, (), SHEET.resting(STILL, Lines::new()));
         Self {
             cloth,
-            memory: scene.memory::<Q13, SIDE, SIDE>(),
+            memory,
             scene,
             tilt: Stick { right: STEEPEST, away: 0 },
             shaded: Shaded::new(LOOK),
@@ -119,20 +134,25 @@ impl Show {
             (gravity.x, gravity.y) = (part(self.tilt.right), part(self.tilt.away));
         }
         let rested = self.memory.is_at_rest();
-        self.scene.step(&mut self.cloth, &mut self.memory);
+        self.scene.step(self.cloth, self.memory);
         !(rested && self.memory.is_at_rest())
+    }
+
+    /// The largest strain of a thread.
+    pub fn strain(&self) -> Q13 {
+        measure::strain(self.cloth, &self.scene.links.0).largest
     }
 
     /// Draws what is behind the curtain: its rod.
     pub fn draw_rod<D: DrawTarget<Color: Shade>>(&self, target: &mut D) -> Result<(), D::Error> {
-        let ends = [-5.5, 5.5].map(|x| self.camera.project(UNITS.point([x, 0.0, 0.09]).to_vec()));
+        let ends = [-5.5, 5.5].map(|x| self.camera.project(SHEET.units.point([x, 0.0, 0.09]).to_vec()));
         let [Some(left), Some(right)] = ends else { return Ok(()) };
         Line::new(left, right).into_styled(PrimitiveStyle::with_stroke(D::Color::nearest(ROD), 2)).draw(target)
     }
 
     /// Draws the curtain.
     pub fn draw<D: DrawTarget<Color: Shade>>(&mut self, target: &mut D) -> Result<(), D::Error> {
-        self.shaded.draw(&self.cloth, &self.camera, target)
+        self.shaded.draw(self.cloth, &self.camera, target)
     }
 }
 
