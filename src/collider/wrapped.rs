@@ -51,6 +51,7 @@ impl<S: Scalar> Collider<S> for Probe {
 }
 
 /// What a collider says and does.
+#[allow(clippy::struct_excessive_bools, reason = "answers to questions of yes and no")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Said {
     is_present: bool,

@@ -57,7 +57,7 @@ struct Said<S> {
     is_known: bool,
 }
 
-fn said<S: Scalar, F: Force<S>>(force: F) -> Said<S> {
+fn said<S: Scalar, F: Force<S>>(force: &F) -> Said<S> {
     let still = Vec3::<[S; 2]>::row(Vec3::ZERO);
     let inverse_mass = [S::ONE; 2];
     let row = |index| Row { index, position: &still, velocity: &still, inverse_mass: &inverse_mass };
@@ -90,15 +90,15 @@ fn check<S: Scalar>() {
         gains: [[5.0, 2.0], [0.0, 3.0]],
         is_known: true,
     };
-    assert_eq!(said::<S, _>(Probe), expected);
-    assert_eq!(said::<S, _>(Some(Probe)), expected, "an option");
-    assert_eq!(said::<S, _>((Probe,)), expected, "a tuple");
-    assert_eq!(said::<S, _>((None::<Probe>, (), Some((Probe,)))), expected);
-    assert_eq!(said::<S, _>(Some(((), Some(Probe)))), expected);
+    assert_eq!(said::<S, _>(&Probe), expected);
+    assert_eq!(said::<S, _>(&Some(Probe)), expected, "an option");
+    assert_eq!(said::<S, _>(&(Probe,)), expected, "a tuple");
+    assert_eq!(said::<S, _>(&(None::<Probe>, (), Some((Probe,)))), expected);
+    assert_eq!(said::<S, _>(&Some(((), Some(Probe)))), expected);
     let nothing = Said { is_field: false, uniform: 0.0, drag: Slowdown::NONE, gains: [[0.0; 2]; 2], ..expected };
-    assert_eq!(said::<S, _>(None::<Probe>), nothing, "none");
-    assert_eq!(said::<S, _>((None::<(Probe,)>, ())), nothing);
-    assert_eq!(said::<S, _>(((), ())), Said { speaks: [false; 2], ..nothing }, "nothing twice");
+    assert_eq!(said::<S, _>(&None::<Probe>), nothing, "none");
+    assert_eq!(said::<S, _>(&(None::<(Probe,)>, ())), nothing);
+    assert_eq!(said::<S, _>(&((), ())), Said { speaks: [false; 2], ..nothing }, "nothing twice");
 }
 
 #[test]
