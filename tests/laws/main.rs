@@ -1,6 +1,7 @@
 //! Laws that hold for every solver and number type.
 
 mod absent;
+mod changed;
 mod constraints;
 mod contact;
 mod dampers;
