@@ -46,12 +46,12 @@ fn still_air_brakes_in_two_models_of_three() {
     assert_eq!(left!(SHEET.facet_wind(still)), 1.0);
 }
 
-/// Particles that the ball of the scene `no-shear` carries at its end.
+/// Particles that touch the ball of the scene `no-shear` after 2.4 s.
 fn carried(shear: &str) -> usize {
     let text = format!("{}\n{shear}", built_in("no-shear").unwrap().text);
     let scene = Description::parse(&text).unwrap();
     let mut simulation = scene.simulation_on::<Everything, f32, 32, 32>().unwrap();
-    (0..scene.frames).for_each(|_| simulation.frame());
+    (0..24).for_each(|_| simulation.frame());
     let ball = scene.spheres[0];
     let reach = ball.radius + ball.surface.margin;
     let far = |place: &[f64; 3]| (0..3).map(|axis| (place[axis] - ball.centre[axis]).powi(2)).sum::<f64>().sqrt();
@@ -62,5 +62,5 @@ fn carried(shear: &str) -> usize {
 #[test]
 fn without_shear_the_sheet_lies_on_the_ball() {
     let [without, with] = ["", "[shear]\nstiffness = 9427.0"].map(carried);
-    assert!(without > 4 * with, "{without} particles without shear links, {with} with them");
+    assert!(with > 0 && without > 3 * with, "{without} particles without shear links, {with} with them");
 }
