@@ -1,55 +1,104 @@
-//! The LCD: `mipidsi` starts it, pixels go to it in frames of 16 bits as they lie in the picture.
+//! The LCD: `mipidsi` starts it, rows of the picture go to it by DMA while the processor does something else.
 
 use core::convert::Infallible;
 
+use embedded_dma::ReadBuffer;
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::digital::OutputPin;
-use embedded_hal::spi::{ErrorType, SpiBus};
-use embedded_hal_nb::spi::FullDuplex;
+use embedded_hal::spi::SpiBus;
+use pico::picture::{Picture, Rows};
+use pico::show::SCREEN;
+use rp2040_hal::dma::single_buffer::{Config, Transfer};
+use rp2040_hal::dma::{CH0, Channel};
+use rp2040_hal::pac::SPI0;
+use rp2040_hal::spi::{Enabled, Spi, ValidSpiPinout};
 
-use pico::picture::Picture;
+/// A bus of 16 bits.
+type Bus<P> = Spi<Enabled, SPI0, P, 16>;
 
-/// A started display on a bus of 16 bits.
-pub(crate) struct Lcd<S, C, D> {
-    pub(crate) spi: S,
+/// A started display.
+pub(crate) struct Lcd<P: ValidSpiPinout<SPI0>, C, D> {
+    link: Link<P>,
     /// Low while the display listens.
-    pub(crate) select: C,
+    select: C,
     /// Low for commands.
-    pub(crate) data: D,
+    data: D,
+}
+
+enum Link<P: ValidSpiPinout<SPI0>> {
+    Idle(Channel<CH0>, Bus<P>),
+    Busy(Transfer<Channel<CH0>, Part, Bus<P>>),
+    /// While it changes from one to the other.
+    Changing,
+}
+
+/// Whole rows of a picture.
+struct Part {
+    rows: &'static mut Rows,
+    first: usize,
+    count: usize,
+}
+
+// The rows live forever, nobody else has them, and what is read of them does not change while this has them.
+#[allow(unsafe_code, reason = "an address for the DMA controller")]
+unsafe impl ReadBuffer for Part {
+    type Word = u16;
+
+    unsafe fn read_buffer(&self) -> (*const u16, usize) {
+        let rows = self.rows.get(self.first..self.first + self.count).unwrap_or_default().as_flattened();
+        (rows.as_ptr(), rows.len())
+    }
 }
 
 const COLUMNS: u16 = 0x2a;
 const ROWS: u16 = 0x2b;
 const PIXELS: u16 = 0x2c;
 
-impl<S: SpiBus<u16> + FullDuplex<u16>, C: OutputPin<Error = Infallible>, D: OutputPin<Error = Infallible>>
-    Lcd<S, C, D>
-{
-    /// Sends a part of a picture, and waits until it has gone.
-    pub(crate) fn send(&mut self, picture: &Picture, area: &Rectangle) -> Result<(), <S as ErrorType>::Error> {
-        let Some(end) = area.bottom_right() else { return Ok(()) };
+impl<P: ValidSpiPinout<SPI0>, C: OutputPin<Error = Infallible>, D: OutputPin<Error = Infallible>> Lcd<P, C, D> {
+    /// A display that `mipidsi` has started.
+    pub(crate) fn new(channel: Channel<CH0>, bus: Bus<P>, select: C, data: D) -> Self {
+        Self { link: Link::Idle(channel, bus), select, data }
+    }
+
+    /// Begins to send the rows of a picture that an area touches, and takes the picture's pixels until they have gone.
+    pub(crate) fn send(&mut self, picture: &Picture, area: &Rectangle) -> Result<(), Infallible> {
+        self.finish(picture);
+        let (Some(end), Some(rows)) = (area.bottom_right(), picture.lend()) else { return Ok(()) };
+        let Link::Idle(channel, mut bus) = core::mem::replace(&mut self.link, Link::Changing) else { return Ok(()) };
         let Ok(()) = self.select.set_low();
-        self.command(COLUMNS, &[area.top_left.x as u16, end.x as u16])?;
-        self.command(ROWS, &[area.top_left.y as u16, end.y as u16])?;
-        self.command(PIXELS, &[])?;
-        for part in picture.parts(area) {
-            for pixel in part {
-                // nobody reads what comes back, so no frame waits for the one before
-                while let Err(nb::Error::WouldBlock) = FullDuplex::write(&mut self.spi, *pixel) {}
-            }
-        }
-        SpiBus::flush(&mut self.spi)?;
-        let Ok(()) = self.select.set_high();
+        self.command(&mut bus, COLUMNS, &[0, SCREEN.width as u16 - 1])?;
+        self.command(&mut bus, ROWS, &[area.top_left.y as u16, end.y as u16])?;
+        self.command(&mut bus, PIXELS, &[])?;
+        let part = Part { rows, first: area.top_left.y as usize, count: area.size.height as usize };
+        self.link = Link::Busy(Config::new(channel, part, bus).start());
         Ok(())
     }
 
+    /// Waits until what was sent has gone, gives the picture its pixels back, and says whether anything was sent.
+    pub(crate) fn finish(&mut self, picture: &Picture) -> bool {
+        match core::mem::replace(&mut self.link, Link::Changing) {
+            Link::Busy(transfer) => {
+                let (channel, part, mut bus) = transfer.wait();
+                picture.give_back(part.rows);
+                let Ok(()) = SpiBus::flush(&mut bus);
+                let Ok(()) = self.select.set_high();
+                self.link = Link::Idle(channel, bus);
+                true
+            }
+            idle => {
+                self.link = idle;
+                false
+            }
+        }
+    }
+
     /// A command is the lower half of a frame; the upper half is no operation.
-    fn command(&mut self, command: u16, parameters: &[u16]) -> Result<(), <S as ErrorType>::Error> {
-        SpiBus::flush(&mut self.spi)?;
+    fn command(&mut self, bus: &mut Bus<P>, command: u16, parameters: &[u16]) -> Result<(), Infallible> {
+        SpiBus::flush(bus)?;
         let Ok(()) = self.data.set_low();
-        SpiBus::write(&mut self.spi, &[command])?;
-        SpiBus::flush(&mut self.spi)?;
+        SpiBus::write(bus, &[command])?;
+        SpiBus::flush(bus)?;
         let Ok(()) = self.data.set_high();
-        SpiBus::write(&mut self.spi, parameters)
+        SpiBus::write(bus, parameters)
     }
 }

@@ -1,5 +1,6 @@
 //! The picture as the display wants it: 16 bits a pixel.
 
+use core::cell::Cell;
 use core::convert::Infallible;
 
 use embedded_graphics::Pixel;
@@ -23,22 +24,27 @@ pub const BLACK: Rows = [[0; WIDTH]; HEIGHT];
 pub type Rows = [[u16; WIDTH]; HEIGHT];
 
 /// A picture of 240 × 240 pixels, which no stack would hold.
-#[derive(Debug)]
+///
+/// Its pixels may be lent. Meanwhile there is nothing to see, and what is drawn is lost.
+#[allow(missing_debug_implementations, reason = "it would print 57 600 numbers")]
 pub struct Picture {
-    rows: &'static mut Rows,
+    rows: Cell<Option<&'static mut Rows>>,
 }
 
 impl Picture {
     /// A picture in these rows.
     pub fn new(rows: &'static mut Rows) -> Self {
-        Self { rows }
+        Self { rows: Cell::new(Some(rows)) }
     }
 
-    /// The part of each row that lies in an area of the picture.
-    pub fn parts(&self, area: &Rectangle) -> impl Iterator<Item = &[u16]> {
-        let [left, top] = [area.top_left.x, area.top_left.y].map(|place| place as usize);
-        let [width, height] = [area.size.width, area.size.height].map(|side| side as usize);
-        self.rows.iter().skip(top).take(height).filter_map(move |row| row.get(left..left + width))
+    /// Lends the pixels, unless they are lent already.
+    pub fn lend(&self) -> Option<&'static mut Rows> {
+        self.rows.take()
+    }
+
+    /// Takes pixels that were lent.
+    pub fn give_back(&self, rows: &'static mut Rows) {
+        self.rows.set(Some(rows));
     }
 }
 
@@ -52,8 +58,11 @@ impl GetPixel for Picture {
     type Color = Rgb565;
 
     fn pixel(&self, at: Point) -> Option<Rgb565> {
-        let row = self.rows.get(usize::try_from(at.y).ok()?)?;
-        Some(RawU16::new(*row.get(usize::try_from(at.x).ok()?)?).into())
+        let rows = self.lend()?;
+        let [x, y] = [at.x, at.y].map(|place| usize::try_from(place).ok());
+        let pixel = y.and_then(|y| rows.get(y)).zip(x).and_then(|(row, x)| row.get(x)).copied();
+        self.give_back(rows);
+        Some(RawU16::new(pixel?).into())
     }
 }
 
@@ -65,12 +74,14 @@ impl DrawTarget for Picture {
         pixels.into_iter().try_for_each(|Pixel(at, color)| self.fill_solid(&Rectangle::new(at, Size::new(1, 1)), color))
     }
 
+    #[inline]
     fn fill_solid(&mut self, area: &Rectangle, color: Rgb565) -> Result<(), Infallible> {
+        let Some(all) = self.rows.get_mut() else { return Ok(()) };
         let color = RawU16::from(color).into_inner();
         let end = area.top_left + area.size;
         if area.size.height == 1 {
             // a part of a row within the picture, as faces consist of
-            let row = self.rows.get_mut(area.top_left.y as usize);
+            let row = all.get_mut(area.top_left.y as usize);
             if let Some(part) = row.and_then(|row| row.get_mut(area.top_left.x as usize..end.x as usize)) {
                 part.fill(color);
                 return Ok(());
@@ -78,7 +89,7 @@ impl DrawTarget for Picture {
         }
         let within = |place: i32, side: usize| place.clamp(0, side as i32) as usize;
         let columns = within(area.top_left.x, WIDTH)..within(end.x, WIDTH);
-        if let Some(rows) = self.rows.get_mut(within(area.top_left.y, HEIGHT)..within(end.y, HEIGHT)) {
+        if let Some(rows) = all.get_mut(within(area.top_left.y, HEIGHT)..within(end.y, HEIGHT)) {
             for row in rows {
                 if let Some(part) = row.get_mut(columns.clone()) {
                     part.fill(color);

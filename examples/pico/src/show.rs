@@ -13,46 +13,56 @@ use kerchief::render::pattern::{CELL, Pattern, Place};
 use kerchief::render::{Camera, Light, Look, Shade, Shaded, View};
 use kerchief::units::PanelFlow;
 use kerchief::{
-    Cloth, Gravity, Node, PanelWind, Q13, Resting, Scalar, Scene, Shear, Solver, Stillness, Stretch, Units, Vec3, Xpbd,
-    measure,
+    Cloth, Gravity, Lines, Node, PanelWind, Q13, Resting, Scalar, Scene, Shear, Solver, Stillness, Stretch, Units, Vec3,
 };
 
-/// Particles a side.
-const SIDE: usize = 16;
-/// Steps in a second.
-pub const RATE: u32 = 40;
+/// Particles down the pole and along the flag.
+const ROW: usize = 8;
+const ROWS: usize = 12;
+/// Steps in a second, each with a picture of its own.
+pub const RATE: u32 = 60;
 /// The display.
 pub const SCREEN: Size = Size::new(240, 240);
 
-/// Substeps of a step: with fewer, more links are strained beyond 6 %, where those of [`Q13`] cost several times as much.
-/// (The line solver, one substep and a sweep or two, strains the flag by 2 to 5 % in place of 10 to 17, for 1.1 million cycles a step in place of 0.6.)
-const SUBSTEPS: u32 = 2;
-/// A flag of 24 m × 16 m: the larger, the less a step strains it. Row 0 is at the pole: links between particles of mass 1 cost less, and only this row has others.
-const UNITS: Units = Units::sheet([SIDE, SIDE], [16.0, 24.0], 0.5, 1.0 / RATE as f64, SUBSTEPS);
-const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.8, -3.2, -20.0]), UNITS.point([23.2, 3.2, 2.4]), SCREEN);
-/// What moves by less than two pixels a second (20 cm/s), and gets no further than half a pixel in two seconds, rests. `Q13` lets a stretched cloth tremble by a quarter of that speed.
-const STILL: Stillness = Stillness { speed: 0.2, acceleration: 0.2, time: 2.0 };
-/// 1 m/s, 2⁻²⁴ cells per tick.
-const METRE: i32 = (UNITS.velocity([1.0, 0.0, 0.0]).0[0] * (1 << 24) as f64) as i32;
+/// Substeps of a step, found by playing gusts on a host. With fewer the solver finds rows strained too much before long, and splits substeps into more than these.
+const SUBSTEPS: u32 = 4;
+/// One sweep or more, until rows are strained by no more than 1.4 %.
+const LINES: Lines = Lines::with_sweeps(1).within(0.014);
+/// kg/m²
+const DENSITY: f64 = 0.1;
+/// m, down the pole and along the flag. Row 0 is at the pole: links between particles of mass 1 cost less, and only this row has others.
+const SIZE: [f64; 2] = [0.6, 0.9];
+const MASS: f64 = DENSITY * SIZE[0] * SIZE[1] / (ROW * ROWS) as f64;
+const UNITS: Units = Units::sheet([ROW, ROWS], SIZE, MASS, 1.0 / RATE as f64, SUBSTEPS);
+const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.08, -0.2, -0.91]), UNITS.point([0.9, 0.2, 0.04]), SCREEN);
+/// What moves by less than four pixels a second, and gets no further than a pixel in two seconds, rests.
+const STILL: Stillness = Stillness { speed: 0.02, acceleration: 0.02, time: 2.0 };
+/// A 96th of 1 m/s, 2⁻²⁴ cells per tick.
+const BREATH: i32 = (UNITS.velocity([1.0, 0.0, 0.0]).0[0] * (1 << 24) as f64 / 96.0) as i32;
+
+/// Steps in which the wind rises.
+const RISE: u32 = RATE / 2;
 
 /// Air at rest.
-const CALM: PanelFlow = UNITS.panel_wind([0.0; 3], 1.2, 0.6);
+const CALM: PanelFlow = UNITS.panel_wind([0.0; 3], 1.2, 1.2);
 /// The same, in which a cloth comes to rest soon.
 const THICK: PanelFlow = UNITS.panel_wind([0.0; 3], 1.2, 12.0);
 
 type Forces = (Gravity<Q13>, PanelWind<Q13>);
 type Springs = (Stretch<Q13>, Shear<Q13>);
-type Mover = Resting<Xpbd>;
+type Mover = Resting<Lines>;
+/// The flag or the cloth.
+pub type Sheet = Cloth<Q13, ROW, ROWS>;
 
-/// Three bands, the middle one narrower.
+/// Three bands, the middle one wider.
 #[derive(Clone, Copy, Debug)]
 pub struct Bands;
 
 impl Pattern for Bands {
     fn tone(&self, at: &Place) -> Rgb888 {
         match at.across / CELL {
-            0..=4 => Rgb888::new(236, 168, 52),
-            5..=9 => Rgb888::new(250, 240, 220),
+            0..=1 => Rgb888::new(236, 168, 52),
+            2..=4 => Rgb888::new(250, 240, 220),
             _ => Rgb888::new(22, 118, 116),
         }
     }
@@ -91,18 +101,19 @@ impl Play {
 
     /// The velocity of the wind after so many steps.
     fn wind(self, step: u32) -> Vec3<Q13> {
-        let phase = step * 3 / 4;
+        let phase = step / 2;
         let [along, across, up] = match self {
             Self::Gusts => [
-                768 + 2 * wave(phase * 2) + wave(phase * 3 + 40) * 3 / 2,
-                3 * wave(phase * 5) + wave(phase * 7 / 2 + 90) * 3 / 2,
-                wave(phase * 4 + 17),
+                480 + wave(phase * 2) / 2 + wave(phase * 3 + 40) / 3,
+                wave(phase * 5) / 2 + wave(phase * 7 / 2 + 90) / 4,
+                wave(phase * 4 + 17) / 6,
             ],
-            Self::Breeze => [900, 2 * wave(phase * 4), wave(phase * 3) / 2],
+            Self::Breeze => [480, wave(phase * 4) / 4, wave(phase * 3) / 8],
             Self::Corners => [0; 3],
         };
-        // in 96ths of a metre a second
-        let [x, y, z] = [along, across, up].map(|speed| Q13::from_bits(speed * METRE / 96));
+        // in 96ths of a metre a second; it rises at first, since a flat flag would snap
+        let risen = step.min(RISE) as i32;
+        let [x, y, z] = [along, across, up].map(|speed| Q13::from_bits(speed * risen / RISE as i32 * BREATH));
         Vec3::new(x, y, z)
     }
 }
@@ -113,39 +124,45 @@ const SKY: [Rgb888; 2] = [Rgb888::new(84, 142, 190), Rgb888::new(236, 226, 206)]
 const POLE: [Rgb888; 4] =
     [Rgb888::new(206, 196, 178), Rgb888::new(238, 232, 220), Rgb888::new(150, 138, 122), Rgb888::new(96, 88, 80)];
 const INK: Rgb888 = Rgb888::new(244, 248, 252);
+/// In two lines.
+const LETTERS: usize = 80;
 /// Where the note stands.
-pub const NOTE: Rectangle = Rectangle::new(Point::new(8, 6), Size::new(31 * 7, 13));
+pub const NOTE: Rectangle = Rectangle::new(Point::new(8, 4), Size::new(32 * 7, 2 * 13));
 
 /// A sheet, what moves it and how it is drawn.
 #[derive(Debug)]
 pub struct Show {
     /// The flag or the cloth.
-    pub cloth: Cloth<Q13, SIDE, SIDE>,
+    pub cloth: Sheet,
     scene: Scene<Forces, Springs, (), Mover>,
-    memory: <Mover as Solver<Q13>>::Memory<Springs, SIDE, SIDE>,
+    memory: <Mover as Solver<Q13>>::Memory<Springs, ROW, ROWS>,
     play: Play,
     /// Steps since the play's start.
     step: u32,
-    shaded: Shaded<Look<Bands, Bands>, SIDE, SIDE>,
+    /// The largest strain since then.
+    largest: Q13,
+    shaded: Shaded<Look<Bands, Bands>, ROW, ROWS>,
     camera: Camera<Q13>,
     /// Where the sheet's upper corners were at first, pixels.
     corners: [Point; 2],
-    note: String<31>,
+    note: String<LETTERS>,
 }
 
 impl Show {
     /// A flag in gusts, at its start.
+    #[inline(never)]
     pub fn new() -> Self {
         let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), PanelWind::new(CALM));
-        let links = (Stretch::new(&UNITS, UNITS.stiffness(2e6)), Shear::new(&UNITS, UNITS.stiffness(1e5)));
-        let scene = Scene::new(&UNITS, forces, links, (), Resting::new(&UNITS, STILL, Xpbd));
+        let links = (Stretch::new(&UNITS, UNITS.stiffness(3e3)), Shear::new(&UNITS, UNITS.stiffness(10.0)));
+        let scene = Scene::new(&UNITS, forces, links, (), Resting::new(&UNITS, STILL, LINES));
         let camera = Camera::new(&VIEW, SCREEN);
         Self {
             cloth: flag(),
-            memory: scene.memory::<Q13, SIDE, SIDE>(),
+            memory: scene.memory::<Q13, ROW, ROWS>(),
             scene,
             play: Play::Gusts,
             step: 0,
+            largest: Q13::ZERO,
             shaded: Shaded::new(LOOK),
             corners: corners(&flag(), &camera),
             camera,
@@ -154,35 +171,61 @@ impl Show {
     }
 
     /// The next play, from its start.
+    #[inline(never)]
     pub fn press(&mut self) {
         self.play = self.play.next();
         let is_calm = self.play == Play::Corners;
         self.cloth = if is_calm { folds() } else { flag() };
         self.scene.forces.1 = PanelWind::new(if is_calm { THICK } else { CALM });
         self.corners = corners(&self.cloth, &self.camera);
-        self.memory = self.scene.memory::<Q13, SIDE, SIDE>();
+        self.memory = self.scene.memory::<Q13, ROW, ROWS>();
         self.step = 0;
+        self.largest = Q13::ZERO;
     }
 
     /// A step; nothing where the sheet rests. Says whether there is something new to see.
+    #[inline(never)]
     pub fn step(&mut self) -> bool {
         self.scene.forces.1.wind = self.play.wind(self.step);
         let rested = self.memory.is_at_rest();
         self.scene.step(&mut self.cloth, &mut self.memory);
         self.step += 1;
-        !(rested && self.memory.is_at_rest())
+        let rests = rested && self.memory.is_at_rest();
+        if !rests {
+            self.largest = Ord::max(self.largest, self.strain());
+        }
+        !rests
     }
 
-    /// Notes on the display how many pictures there are in a second, and how far the most strained of the stretch links is strained now. The note appears where [`NOTE`] is
-    /// drawn anew.
-    pub fn note(&mut self, rate: u32) {
-        let strain = measure::strain(&self.cloth, &self.scene.links.0).largest.round_times(1000);
+    /// How far the most strained of the stretch links is strained: what [`measure::strain`](kerchief::measure::strain) says of [`stretch`](Self::stretch), by two roots
+    /// a direction instead of one a link.
+    #[inline(never)]
+    pub fn strain(&self) -> Q13 {
+        let at = |column, row| self.cloth.position.at(Node::new(column, row));
+        let down = (0..ROWS).flat_map(|row| (1..ROW).map(move |column| at(column, row) - at(column - 1, row)));
+        let along = (1..ROWS).flat_map(|row| (0..ROW).map(move |column| at(column, row) - at(column, row - 1)));
+        let [side_down, side_along] = UNITS.sides.map(Q13::from_f64);
+        Ord::max(strain(down, side_down), strain(along, side_along))
+    }
+
+    /// The links whose strain is shown.
+    pub fn stretch(&self) -> &Stretch<Q13> {
+        &self.scene.links.0
+    }
+
+    /// Notes on the display how many pictures there are in a second, at how many MHz, and the largest [strain](Self::strain) of any step of the play. The note
+    /// appears where [`NOTE`] is drawn anew.
+    #[inline(never)]
+    pub fn note(&mut self, rate: u32, frequency: u32) {
+        let strain = self.largest.round_times(1000);
         self.note.clear();
         // there is room for numbers of any size
-        let _ = write!(self.note, "{rate} pictures/s, strain {}.{} %", strain / 10, strain % 10);
+        let _ =
+            write!(self.note, "{rate} pictures/s at {frequency} MHz\nstrain up to {}.{} %", strain / 10, strain % 10);
     }
 
     /// Draws all that is behind the sheet where it is seen on a target.
+    #[inline(never)]
     pub fn draw_sky<D: DrawTarget<Color: Shade>>(&self, target: &mut D) -> Result<(), D::Error> {
         let area = target.bounding_box();
         for y in area.rows() {
@@ -203,7 +246,7 @@ impl Show {
                 let [left, right] = [left + Point::new(-8, k - 3), right + Point::new(8, k - 4)];
                 Line::new(left, right).into_styled(PrimitiveStyle::with_stroke(color, 1)).draw(target)?;
             } else {
-                let stripe = Rectangle::new(Point::new(left.x - 4 + k, 30), Size::new(1, SCREEN.height));
+                let stripe = Rectangle::new(left + Point::new(k - 4, -8), Size::new(1, SCREEN.height));
                 target.fill_solid(&stripe, color)?;
             }
         }
@@ -216,36 +259,56 @@ impl Show {
     }
 
     /// Draws the sheet.
+    #[inline(never)]
     pub fn draw<D: DrawTarget<Color: Shade>>(&mut self, target: &mut D) -> Result<(), D::Error> {
         self.shaded.draw(&self.cloth, &self.camera, target)
     }
 }
 
-/// A flag that is tied to its pole with four toggles.
-fn flag() -> Cloth<Q13, SIDE, SIDE> {
+/// The largest strain of links of a rest length.
+#[inline]
+fn strain(links: impl Iterator<Item = Vec3<Q13>>, rest: Q13) -> Q13 {
+    let rested = rest.product(rest);
+    let (mut least, mut most) = (rested, rested);
+    for square in links.map(Vec3::squared) {
+        if square < least {
+            least = square;
+        }
+        if square > most {
+            most = square;
+        }
+    }
+    let strain = |square| (Q13::root(square) - rest).divide(rest).abs();
+    Ord::max(strain(least), strain(most))
+}
+
+/// A flag with a sleeve for its pole.
+fn flag() -> Sheet {
     let mut cloth = spread(|row| [Q13::from_int(row as i32), Q13::ZERO]);
-    (0..SIDE).step_by(5).for_each(|column| cloth.pin(Node::new(column, 0)));
+    (0..ROW).for_each(|column| cloth.pin(Node::new(column, 0)));
     cloth
 }
 
 /// A cloth in upright folds, pinned at its upper corners.
-fn folds() -> Cloth<Q13, SIDE, SIDE> {
+fn folds() -> Sheet {
     /// How far out of line folds are, and how far apart their edges are along the rail: they keep their distance.
     const FOLD: [f64; 2] = [0.5, 0.866_025];
     let [out, along] = FOLD.map(Q13::from_f64);
     let mut cloth = spread(|row| [Q13::ONE + along.times(row as i32), out.times([0, 1, 0, -1][row % 4])]);
-    [0, SIDE - 1].into_iter().for_each(|row| cloth.pin(Node::new(0, row)));
+    [0, ROWS - 1].into_iter().for_each(|row| cloth.pin(Node::new(0, row)));
     cloth
 }
 
 /// An upright sheet. `place` says where each of its rows is, from the pole and out of line, in the distance of rows.
-fn spread(place: impl Fn(usize) -> [Q13; 2]) -> Cloth<Q13, SIDE, SIDE> {
-    let mut cloth = Cloth::<Q13, SIDE, SIDE>::hang(&UNITS, UNITS.point([0.0; 3]));
+fn spread(place: impl Fn(usize) -> [Q13; 2]) -> Sheet {
+    let mut cloth = Sheet::hang(&UNITS, UNITS.point([0.0; 3]));
+    let side = Q13::from_f64(UNITS.sides[1]);
     // row 0 last: it says how far down the columns are
-    for row in (0..SIDE).rev() {
+    for row in (0..ROWS).rev() {
         let [along, out] = place(row);
-        for column in 0..SIDE {
+        for column in 0..ROW {
             let down = cloth.position.at(Node::new(column, 0)).x;
+            let [along, out] = [along, out].map(|cells| cells * side);
             cloth.position.set(Node::new(column, row), Vec3::new(along, out, -down));
         }
     }
@@ -253,8 +316,8 @@ fn spread(place: impl Fn(usize) -> [Q13; 2]) -> Cloth<Q13, SIDE, SIDE> {
 }
 
 /// The pixels of the upper corners.
-fn corners(cloth: &Cloth<Q13, SIDE, SIDE>, camera: &Camera<Q13>) -> [Point; 2] {
-    [0, SIDE - 1].map(|row| camera.project(cloth.position.at(Node::new(0, row))).unwrap_or_default())
+fn corners(cloth: &Sheet, camera: &Camera<Q13>) -> [Point; 2] {
+    [0, ROWS - 1].map(|row| camera.project(cloth.position.at(Node::new(0, row))).unwrap_or_default())
 }
 
 /// A wave of period 256 between −128 and 128, of two parabolas.

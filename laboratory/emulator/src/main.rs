@@ -28,9 +28,12 @@ struct Arguments {
     /// Where the display is drawn, anew after every picture.
     #[arg(long)]
     png: Option<PathBuf>,
-    /// Where an animation of the display is written (pico).
+    /// Where an animation of the last ten seconds is written (pico).
     #[arg(long)]
     gif: Option<PathBuf>,
+    /// What is read from the flash comes through a model of its cache (pico).
+    #[arg(long)]
+    cached: bool,
     /// The time of an instruction is 2 to the power of this, in nanoseconds.
     #[arg(long, default_value_t = 0)]
     shift: u32,
@@ -141,8 +144,13 @@ fn run_oled(program: &Path, arguments: &Arguments) -> Result<()> {
 }
 
 fn run_pico(program: &Path, arguments: &Arguments) -> Result<()> {
-    let shots = if arguments.gif.is_some() { (1..=arguments.steps as usize).collect() } else { Vec::new() };
-    let plan = pico::Plan { until: Some(arguments.steps), shots, presses: Vec::new() };
+    // browsers don't show sixty pictures a second
+    const STRIDE: usize = 3;
+    const SECONDS: u32 = 10;
+    let steps = arguments.steps as usize;
+    let first = steps.saturating_sub((SECONDS * ::pico::show::RATE) as usize);
+    let shots = if arguments.gif.is_some() { (first..=steps).step_by(STRIDE).skip(1).collect() } else { Vec::new() };
+    let plan = pico::Plan { until: Some(arguments.steps), shots, presses: Vec::new(), cached: arguments.cached };
     let progress = Progress::steps(arguments.steps);
     let run = pico::run(program, &plan, |step| progress.step(step))?;
     drop(progress);
@@ -156,7 +164,7 @@ fn run_pico(program: &Path, arguments: &Arguments) -> Result<()> {
         save(&photograph::photograph(&pico::picture(last), 2, 0), path)?;
     }
     if let Some(path) = &arguments.gif {
-        film::save(&run.shots, &run.steps, ::pico::show::RATE, path)?;
+        film::save(&run.shots, STRIDE as u32, ::pico::show::RATE, path)?;
     }
     Ok(())
 }

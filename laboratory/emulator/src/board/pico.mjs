@@ -1,10 +1,11 @@
 // Runs a program on an emulated Raspberry Pi Pico with an LCD, from one picture to the next.
 //
 // node pico.mjs PACKAGE FLASH ORDERS: the folder of rp2040js, the flash's contents, and a JSON file
-// { stop, failed, log, stack: [end, start], until, shots: [picture, …], presses: [[picture, down], …] } with addresses of the program, the last step (null: all until a
-// second passes without a picture) and numbers of pictures.
+// { stop, failed, log, stack: [end, start], until, shots: [picture, …], presses: [[picture, down], …], cached } with addresses of the program, the last step (null: all until
+// a second passes without a picture), numbers of pictures, and whether there is a model of the flash's cache.
 // Says "step n" on the standard error output after every picture, and prints JSON at the end:
-// { steps, shots: [[pixel, …], …], log: [byte, …], stack: [byte, …], on, idle, errors }: idle is how many bytes went to the display in that second.
+// { steps, shots: [[pixel, …], …], log: [byte, …], stack: [byte, …], on, idle, errors, frequency }: idle is how many bytes went to the display in that second, and for how many
+// cycles the processor was awake.
 import { readFile } from 'node:fs/promises';
 import { argv, stderr, stdout } from 'node:process';
 import { load } from './rp2040.mjs';
@@ -89,7 +90,7 @@ class Lcd {
     }
 }
 
-const { chip, advance, RAM, GPIOPinState } = await load(emulator, flashFile, wrong);
+const { chip, advance, RAM, GPIOPinState } = await load(emulator, flashFile, wrong, orders.cached);
 const { core, clock } = chip;
 chip.gpio[BUTTON].setInputValue(true);
 
@@ -119,7 +120,7 @@ function drain() {
 }
 
 const PATIENCE = 1e9;
-let [shown, idle] = [0, null];
+let [shown, awake, idle] = [0, 0, null];
 const steps = [];
 const shots = [];
 while (errors.length < 20) {
@@ -129,7 +130,7 @@ while (errors.length < 20) {
         if (steps.at(-1) === core.registers[0]) { advance(); continue; }
         steps.push(core.registers[0]);
         stderr.write(`step ${steps.at(-1)}\n`);
-        [shown, bytes] = [clock.nanos, 0];
+        [shown, awake, bytes] = [clock.nanos, core.cycles, 0];
         drain();
         const last = orders.until !== null && steps.at(-1) >= orders.until;
         if (last || orders.shots.includes(steps.length)) shots.push(Array.from(lcd.memory));
@@ -138,7 +139,7 @@ while (errors.length < 20) {
     } else if (steps.length > 0 && clock.nanos - shown > PATIENCE) {
         if (orders.until !== null) wrong('no picture for a second');
         drain();
-        idle = bytes;
+        idle = [bytes, core.cycles - awake];
         shots.push(Array.from(lcd.memory));
         break;
     } else if (at === orders.failed) {
@@ -149,4 +150,4 @@ while (errors.length < 20) {
     advance();
 }
 const [end, start] = orders.stack.map((address) => address - RAM);
-stdout.write(JSON.stringify({ steps, shots, log, stack: Array.from(chip.sram.subarray(end, start)), on: lcd.on, idle, errors }));
+stdout.write(JSON.stringify({ steps, shots, log, stack: Array.from(chip.sram.subarray(end, start)), on: lcd.on, idle, errors, frequency: chip.clkSys }));

@@ -26,6 +26,8 @@ pub struct Plan {
     pub shots: Vec<usize>,
     /// After which pictures the button goes down or up.
     pub presses: Vec<(usize, bool)>,
+    /// Whether what is read from the flash comes through a model of its cache, or at once.
+    pub cached: bool,
 }
 
 /// What was seen.
@@ -39,8 +41,10 @@ pub struct Run {
     pub log: Vec<String>,
     /// Bytes of stack that were used, and all.
     pub stack: [usize; 2],
-    /// Bytes that the display received in a second of rest, if it came to that.
-    pub idle: Option<u32>,
+    /// Bytes that the display received in a second of rest, and cycles in which the processor was awake, if it came to that.
+    pub idle: Option<[u32; 2]>,
+    /// Of the processor, Hz.
+    pub frequency: u32,
     /// What was wrong with what the display or the chip was told.
     pub errors: Vec<String>,
 }
@@ -52,7 +56,8 @@ struct Output {
     log: Vec<u8>,
     stack: Vec<u8>,
     on: bool,
-    idle: Option<u32>,
+    idle: Option<[u32; 2]>,
+    frequency: u32,
     errors: Vec<String>,
 }
 
@@ -83,6 +88,7 @@ pub fn run(path: &Path, plan: &Plan, shown: impl FnMut(u32)) -> Result<Run> {
         log: program.decode(&output.log)?,
         stack: [output.stack.len() - unused, output.stack.len()],
         idle: output.idle,
+        frequency: output.frequency,
         errors: output.errors,
     })
 }
