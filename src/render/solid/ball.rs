@@ -119,9 +119,11 @@ impl<S: Scalar> Sphere<S> {
         Self { centre, radius, per_radius: radius.recip(), power: centre.dot(centre) - radius * radius }
     }
 
-    /// Whether a place outside of it is beyond the polar plane of the eye, (p − c)·(eye − c) = r².
+    /// Whether a place is beyond the polar plane of the eye, (p − c)·(eye − c) = r², or deep inside: a face that comes out of a pole comes out from behind it. (The middle of
+    /// a face that lies on a ball is inside it, too, by a little.)
     pub(super) fn hides(&self, place: Vec3<S>) -> bool {
-        (self.centre - place).dot(self.centre) < self.radius * self.radius
+        let (offset, deep) = (self.centre - place, self.radius - self.radius.halve(3));
+        offset.dot(self.centre) < self.radius * self.radius || offset.dot(offset) < deep * deep
     }
 
     /// The pixels around it; none if it reaches the eye.
@@ -231,6 +233,8 @@ mod tests {
         // the polar plane of an eye at distance d lies r²/d = 0.2 before the middle
         assert!(!hides([0.0, -0.21, 2.5]) && hides([0.0, -0.19, 2.5]));
         assert!(hides([0.0, 3.0, 0.0]) && !hides([0.0, -3.0, 0.0]));
+        // on the near side, a little inside and deep inside
+        assert!(!hides([0.0, -1.8, 0.0]) && hides([0.0, -1.7, 0.0]));
     }
 
     #[test]
