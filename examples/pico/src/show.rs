@@ -11,9 +11,10 @@ use embedded_graphics::text::{Baseline, Text};
 use heapless::String;
 use kerchief::render::pattern::{CELL, Pattern, Place};
 use kerchief::render::{Camera, Light, Look, Shade, Shaded, View};
+use kerchief::scene::Only;
 use kerchief::units::PanelFlow;
 use kerchief::{
-    Cloth, Gravity, Lines, Node, PanelWind, Q13, Resting, Scalar, Scene, Shear, Solver, Stillness, Stretch, Units, Vec3,
+    Cloth, Gravity, Lines, Node, PanelWind, Q13, Resting, Scalar, Scene, Shear, Sheet, Solver, Stillness, Stretch, Vec3,
 };
 
 /// Particles down the pole and along the flag.
@@ -33,26 +34,29 @@ const DENSITY: f64 = 0.1;
 /// m, down the pole and along the flag. Row 0 is at the pole: links between particles of mass 1 cost less, and only this row has others.
 const SIZE: [f64; 2] = [0.6, 0.9];
 const MASS: f64 = DENSITY * SIZE[0] * SIZE[1] / (ROW * ROWS) as f64;
-const UNITS: Units = Units::sheet([ROW, ROWS], SIZE, MASS, 1.0 / RATE as f64, SUBSTEPS);
-const VIEW: View = View::new(12.0, -3.0).fit(UNITS.point([-0.08, -0.2, -0.91]), UNITS.point([0.9, 0.2, 0.04]), SCREEN);
+const SHEET: Sheet<Q13, ROW, ROWS> = Sheet::new(SIZE, MASS, 1.0 / RATE as f64, SUBSTEPS);
+const VIEW: View = {
+    let corners = [SHEET.units.point([-0.08, -0.2, -0.91]), SHEET.units.point([0.9, 0.2, 0.04])];
+    View::new(12.0, -3.0).fit(corners[0], corners[1], SCREEN)
+};
 /// What moves by less than four pixels a second, and gets no further than a pixel in two seconds, rests.
 const STILL: Stillness = Stillness { speed: 0.02, acceleration: 0.02, time: 2.0 };
 /// A 96th of 1 m/s, 2⁻²⁴ cells per tick.
-const BREATH: i32 = (UNITS.velocity([1.0, 0.0, 0.0]).0[0] * (1 << 24) as f64 / 96.0) as i32;
+const BREATH: i32 = (SHEET.units.velocity([1.0, 0.0, 0.0]).0[0] * (1 << 24) as f64 / 96.0) as i32;
 
 /// Steps in which the wind rises.
 const RISE: u32 = RATE / 2;
 
 /// Air at rest.
-const CALM: PanelFlow = UNITS.panel_wind([0.0; 3], 1.2, 1.2);
+const CALM: PanelFlow = SHEET.units.panel_wind([0.0; 3], 1.2, 1.2);
 /// The same, in which a cloth comes to rest soon.
-const THICK: PanelFlow = UNITS.panel_wind([0.0; 3], 1.2, 12.0);
+const THICK: PanelFlow = SHEET.units.panel_wind([0.0; 3], 1.2, 12.0);
 
 type Forces = (Gravity<Q13>, PanelWind<Q13>);
 type Springs = (Stretch<Q13>, Shear<Q13>);
 type Mover = Resting<Lines>;
 /// The flag or the cloth.
-pub type Sheet = Cloth<Q13, ROW, ROWS>;
+type Fabric = Cloth<Q13, ROW, ROWS>;
 
 /// Three bands, the middle one wider.
 #[derive(Clone, Copy, Debug)]
@@ -133,8 +137,8 @@ pub const NOTE: Rectangle = Rectangle::new(Point::new(8, 4), Size::new(32 * 7, 2
 #[derive(Debug)]
 pub struct Show {
     /// The flag or the cloth.
-    pub cloth: Sheet,
-    scene: Scene<Forces, Springs, (), Mover>,
+    pub cloth: Fabric,
+    scene: Scene<Forces, Springs, (), Mover, Only<Q13, ROW, ROWS>>,
     memory: <Mover as Solver<Q13>>::Memory<Springs, ROW, ROWS>,
     play: Play,
     /// Steps since the play's start.
@@ -152,13 +156,13 @@ impl Show {
     /// A flag in gusts, at its start.
     #[inline(never)]
     pub fn new() -> Self {
-        let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), PanelWind::new(CALM));
-        let links = (Stretch::new(&UNITS, UNITS.stiffness(3e3)), Shear::new(&UNITS, UNITS.stiffness(10.0)));
-        let scene = Scene::new(&UNITS, forces, links, (), Resting::new(&UNITS, STILL, LINES));
+        let forces = (SHEET.gravity([0.0, 0.0, -9.81]), PanelWind::new(CALM));
+        let links = (SHEET.stretch(3e3), SHEET.shear(10.0));
+        let scene = SHEET.scene(forces, links, (), SHEET.resting(STILL, LINES));
         let camera = Camera::new(&VIEW, SCREEN);
         Self {
             cloth: flag(),
-            memory: scene.memory::<Q13, ROW, ROWS>(),
+            memory: scene.memory(),
             scene,
             play: Play::Gusts,
             step: 0,
@@ -178,7 +182,7 @@ impl Show {
         self.cloth = if is_calm { folds() } else { flag() };
         self.scene.forces.1 = PanelWind::new(if is_calm { THICK } else { CALM });
         self.corners = corners(&self.cloth, &self.camera);
-        self.memory = self.scene.memory::<Q13, ROW, ROWS>();
+        self.memory = self.scene.memory();
         self.step = 0;
         self.largest = Q13::ZERO;
     }
@@ -204,7 +208,7 @@ impl Show {
         let at = |column, row| self.cloth.position.at(Node::new(column, row));
         let down = (0..ROWS).flat_map(|row| (1..ROW).map(move |column| at(column, row) - at(column - 1, row)));
         let along = (1..ROWS).flat_map(|row| (0..ROW).map(move |column| at(column, row) - at(column, row - 1)));
-        let [side_down, side_along] = UNITS.sides.map(Q13::from_f64);
+        let [side_down, side_along] = SHEET.units.sides.map(Q13::from_f64);
         Ord::max(strain(down, side_down), strain(along, side_along))
     }
 
@@ -283,14 +287,14 @@ fn strain(links: impl Iterator<Item = Vec3<Q13>>, rest: Q13) -> Q13 {
 }
 
 /// A flag with a sleeve for its pole.
-fn flag() -> Sheet {
+fn flag() -> Fabric {
     let mut cloth = spread(|row| [Q13::from_int(row as i32), Q13::ZERO]);
     (0..ROW).for_each(|column| cloth.pin(Node::new(column, 0)));
     cloth
 }
 
 /// A cloth in upright folds, pinned at its upper corners.
-fn folds() -> Sheet {
+fn folds() -> Fabric {
     /// How far out of line folds are, and how far apart their edges are along the rail: they keep their distance.
     const FOLD: [f64; 2] = [0.5, 0.866_025];
     let [out, along] = FOLD.map(Q13::from_f64);
@@ -300,9 +304,9 @@ fn folds() -> Sheet {
 }
 
 /// An upright sheet. `place` says where each of its rows is, from the pole and out of line, in the distance of rows.
-fn spread(place: impl Fn(usize) -> [Q13; 2]) -> Sheet {
-    let mut cloth = Sheet::hang(&UNITS, UNITS.point([0.0; 3]));
-    let side = Q13::from_f64(UNITS.sides[1]);
+fn spread(place: impl Fn(usize) -> [Q13; 2]) -> Fabric {
+    let mut cloth = SHEET.hang([0.0; 3]);
+    let side = Q13::from_f64(SHEET.units.sides[1]);
     // row 0 last: it says how far down the columns are
     for row in (0..ROWS).rev() {
         let [along, out] = place(row);
@@ -316,7 +320,7 @@ fn spread(place: impl Fn(usize) -> [Q13; 2]) -> Sheet {
 }
 
 /// The pixels of the upper corners.
-fn corners(cloth: &Sheet, camera: &Camera<Q13>) -> [Point; 2] {
+fn corners(cloth: &Fabric, camera: &Camera<Q13>) -> [Point; 2] {
     [0, ROWS - 1].map(|row| camera.project(cloth.position.at(Node::new(0, row))).unwrap_or_default())
 }
 
