@@ -189,7 +189,7 @@ const FLAG: Setup = Setup {
     pins: LEFT,
     stretch: damped(2_000.0, 0.003),
     shear: Some(damped(30.0, 0.003)),
-    bend: Some(damped(20.0, 0.003)),
+    bend: Some(damped(80.0, 0.003)),
     wind: Some(Wind::Aerodynamic([7.0, 0.5, 0.0])),
     rod: Some(Rod {
         ends: [[0.0, 0.0, -0.5], [0.0, 0.0, 2.1]],
