@@ -71,7 +71,7 @@ impl Split {
         most_sweeps: u32,
     ) -> bool {
         let before = self.halvings;
-        // parts twice as long have residuals up to four times as large: a quarter of what splits them
+        // parts twice as long have residuals up to four times as large; joined at more than a sixteenth of what splits them, some are split again at once, and shake
         let easy = outcome.few && outcome.mendable < tolerance.halve(3);
         self.easy = if easy { self.easy + 1 } else { 0 };
         if outcome.mendable > tolerance.double(1) {
