@@ -113,7 +113,9 @@ fn the_thesis_scenes_are_not_super_elastic() {
             let exact = scene.play::<f64, _>(Leapfrog, 2048, None);
             assert!((exact.strain - springs).abs() < 5e-4, "{scene:?} by leapfrog: {exact:?}");
             let fine = scene.play::<Counted, _>(lines, 64, None);
-            assert!((fine.strain - springs).abs() < 0.01, "{scene:?} with 64 substeps: {fine:?}");
+            // the most strain of the sheet that falls on the ball is that of a moment of its impact
+            let near = if matches!(scene, Thesis::Sphere) { 0.01 } else { 5e-4 };
+            assert!((fine.strain - springs).abs() < near, "{scene:?} with 64 substeps: {fine:?}");
         }
     }
 }
