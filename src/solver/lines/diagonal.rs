@@ -42,7 +42,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     /// Solves the diagonals of one colour, in floats.
     #[inline(never)] // so that sheet and multipliers are known to be apart
     fn diagonals_at_once(&self, particles: &mut Particles<S, W, H>, colour: usize, tension: &mut Grid<S, W, H>) {
-        let mut above = Above { normal: Vec3::row(Vec3::ZERO), pivot: [S::ZERO; W], right: [S::ZERO; W] };
+        let mut above = Above { normal: Vec3::row(Vec3::ZERO), per_pivot: [S::ZERO; W], right: [S::ZERO; W] };
         // pushed one by one, so that none has to be written twice
         let mut links = Vec::<Links<S, W>, H>::new();
         for row in 1..H {
@@ -87,7 +87,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let (dividend, divisor) = (self.strength.dividend, self.strength.divisor);
         let own = self.own();
         let (ends, w) = (y.components(crossed::<PARITY, S, W>), crossed::<PARITY, S, W>(v));
-        let [mut change, mut factor, mut pivot] = [[S::ZERO; W]; 3];
+        let [mut change, mut factor, mut per_pivot] = [[S::ZERO; W]; 3];
         let mut normal = Vec3::row(Vec3::ZERO);
         for lane in 0..W {
             let (excess, along) = (ends.at(lane) - x.at(lane)).direction(self.rest);
@@ -102,15 +102,12 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             let coupling = above.normal.at(lane).cosine(normal.at(lane)).scaled(dividend) * u[lane];
             let diagonal = (u[lane] + w[lane]) * own + divisor;
             let next;
-            (next, factor[lane]) = Eliminated { pivot: above.pivot[lane], right: above.right[lane] }.next::<false>(
-                diagonal,
-                coupling,
-                change[lane],
-            );
-            (pivot[lane], change[lane]) = (next.pivot, next.right);
+            (next, factor[lane]) = Eliminated { per_pivot: above.per_pivot[lane], right: above.right[lane] }
+                .next::<false>(diagonal, coupling, change[lane]);
+            (per_pivot[lane], change[lane]) = (next.per_pivot, next.right);
         }
         *above = Above {
-            pivot: crossed::<PARITY, S, W>(&pivot),
+            per_pivot: crossed::<PARITY, S, W>(&per_pivot),
             right: crossed::<PARITY, S, W>(&change),
             normal: normal.components(crossed::<PARITY, S, W>),
         };
@@ -188,7 +185,7 @@ struct Links<S, const W: usize> {
 /// The links that end in a row, in the columns where they end.
 struct Above<S, const W: usize> {
     normal: Vec3<[S; W]>,
-    pivot: [S; W],
+    per_pivot: [S; W],
     right: [S; W],
 }
 

@@ -57,7 +57,7 @@ pub(super) fn geometric_stiffness<S: Scalar, const M: usize>(
         // 1 + w·(a + b) less w·a·f, without the difference of two large numbers
         above = above.then::<false>(S::ONE + w * (a + b - a * f), w * a, across.at(k));
         by.set(k, above.right);
-        f = w * b * above.pivot;
+        f = w * b * above.per_pivot;
         factor[k] = f;
         (pull, direction, a) = (next, after, b);
     }

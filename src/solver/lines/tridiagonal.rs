@@ -7,10 +7,10 @@
 //! with a diagonal d, a coupling `c_k` of link k with the next one, and right sides r. Elimination down the chain leaves one unknown beside the next in each (L. Thomas,
 //! 1949):
 //!
-//! `x_k = R_k + (c_k·p_k)·x_{k+1}`,  `p_k = 1/(d_k − c_{k−1}²·p_{k−1})`,  `R_k = (r_k + c_{k−1}·R_{k−1})·p_k`,
+//! `x_k = R_k + (c_k/p_k)·x_{k+1}`,  pivots `p_k = d_k − c_{k−1}²/p_{k−1}`,  `R_k = (r_k + c_{k−1}·R_{k−1})/p_k`,
 //!
 //! and substitution up the chain finds them. Links of strength a/b between inverse masses w have `d_k = a·(w_k + w_{k+1}) + b` and `|c_k| ≤ a·w_{k+1}`, so
-//! `p_k ≤ 1/(a·w_{k+1} + b)`, and no factor `c_k·p_k` is larger than 1: nothing grows on its way.
+//! `p_k ≥ a·w_{k+1} + b`, and no factor `c_k/p_k` is larger than 1: nothing grows on its way.
 //!
 //! [`twisted`] eliminates from both ends to the middle: a mirrored chain of an odd number of links is solved as the mirror image, to the last bit in floats.
 
@@ -46,7 +46,7 @@ impl<S: Scalar> Unknown<S> for Vec3<S> {
     }
 }
 
-/// A product with a pivot, a coupling or a factor. Where all masses are 1 none of them is larger than 1: pivots are at least `a + b`, of which the larger is 1.
+/// A product with 1/pivot, a coupling or a factor. Where all masses are 1 none of them is larger than 1: pivots are at least `a + b`, of which the larger is 1.
 #[inline(always)]
 pub(super) fn times<const UNIT_MASS: bool, S: Scalar, R: Unknown<S>>(x: R, ratio: S) -> R {
     if UNIT_MASS { x.scaled_by(ratio) } else { x * ratio }
@@ -55,36 +55,41 @@ pub(super) fn times<const UNIT_MASS: bool, S: Scalar, R: Unknown<S>>(x: R, ratio
 /// What elimination leaves of one equation: `x = right + factor·(the next x)`.
 #[derive(Clone, Copy)]
 pub(super) struct Eliminated<S, R = S> {
-    pub(super) pivot: S,
+    pub(super) per_pivot: S,
     pub(super) right: R,
 }
 
 impl<S: Scalar, R: Unknown<S>> Eliminated<S, R> {
     /// Of no equation: what stands before the first.
-    pub(super) const NONE: Self = Self { pivot: S::ZERO, right: R::NONE };
+    pub(super) const NONE: Self = Self { per_pivot: S::ZERO, right: R::NONE };
+
+    /// The first equation, without products with nothing.
+    #[inline(always)]
+    fn first<const UNIT_MASS: bool>(diagonal: S, right: R) -> Self {
+        let per_pivot = diagonal.recip();
+        Self { per_pivot, right: times::<UNIT_MASS, S, R>(right, per_pivot) }
+    }
 
     /// The next equation, and the factor of its unknown in this one.
     #[inline(always)]
     pub(super) fn next<const UNIT_MASS: bool>(self, diagonal: S, coupling: S, right: R) -> (Self, S) {
-        let factor = times::<UNIT_MASS, S, S>(coupling, self.pivot);
-        let left = diagonal - times::<UNIT_MASS, S, S>(factor, coupling);
-        (self.then::<UNIT_MASS>(left, coupling, right), factor)
+        let factor = times::<UNIT_MASS, S, S>(coupling, self.per_pivot);
+        let pivot = diagonal - times::<UNIT_MASS, S, S>(factor, coupling);
+        (self.then::<UNIT_MASS>(pivot, coupling, right), factor)
     }
 
-    /// The next equation, in which `left` is what elimination leaves of the diagonal, 1/p. Its coupling back may be another than this one's with it.
+    /// The next equation, of this pivot. Its coupling back may be another than this one's with it.
     #[inline(always)]
-    pub(super) fn then<const UNIT_MASS: bool>(self, left: S, coupling: S, right: R) -> Self {
-        let pivot = left.recip();
-        let right = times::<UNIT_MASS, S, R>(right + times::<UNIT_MASS, S, R>(self.right, coupling), pivot);
-        Self { pivot, right }
+    pub(super) fn then<const UNIT_MASS: bool>(self, pivot: S, coupling: S, right: R) -> Self {
+        Self::first::<UNIT_MASS>(pivot, right + times::<UNIT_MASS, S, R>(self.right, coupling))
     }
 
     /// The unknown of an equation between two eliminated ones, and its factors in both.
     #[inline(always)]
     fn between(self, other: Self, diagonal: S, couplings: [S; 2], right: R) -> (R, [S; 2]) {
-        let factors = [couplings[0] * self.pivot, couplings[1] * other.pivot];
-        let pivot = (diagonal - (couplings[0] * factors[0] + couplings[1] * factors[1])).recip();
-        ((right + (self.right * couplings[0] + other.right * couplings[1])) * pivot, factors)
+        let factors = [couplings[0] * self.per_pivot, couplings[1] * other.per_pivot];
+        let pivot = diagonal - (couplings[0] * factors[0] + couplings[1] * factors[1]);
+        ((right + (self.right * couplings[0] + other.right * couplings[1])) * pivot.recip(), factors)
     }
 }
 
@@ -103,24 +108,22 @@ pub(super) fn twisted<const UNIT_MASS: bool, S: Scalar, R: Unknown<S>, const N: 
     let mut factor = [S::ZERO; N];
     let [mut before, mut after] = [Eliminated::NONE; 2];
     for k in 0..middle {
-        let to_previous = if k > 0 { coupling(k - 1) } else { S::ZERO };
-        let of_this;
-        (before, of_this) = before.next::<UNIT_MASS>(diagonal(k), to_previous, right(k));
-        x[k] = before.right;
-        if k > 0 {
-            factor[k - 1] = of_this;
+        if k == 0 {
+            before = Eliminated::first::<UNIT_MASS>(diagonal(k), right(k));
+        } else {
+            (before, factor[k - 1]) = before.next::<UNIT_MASS>(diagonal(k), coupling(k - 1), right(k));
         }
+        x[k] = before.right;
     }
     // counted this way a compiler sees that nothing is out of bounds
     for turn in 0..links - 1 - middle {
         let k = links - 1 - turn;
-        let to_next = if turn > 0 { coupling(k) } else { S::ZERO };
-        let of_this;
-        (after, of_this) = after.next::<UNIT_MASS>(diagonal(k), to_next, right(k));
-        x[k] = after.right;
-        if turn > 0 {
-            factor[k + 1] = of_this;
+        if turn == 0 {
+            after = Eliminated::first::<UNIT_MASS>(diagonal(k), right(k));
+        } else {
+            (after, factor[k + 1]) = after.next::<UNIT_MASS>(diagonal(k), coupling(k), right(k));
         }
+        x[k] = after.right;
     }
     let to_previous = if middle > 0 { coupling(middle - 1) } else { S::ZERO };
     let to_next = if middle + 1 < links { coupling(middle) } else { S::ZERO };
