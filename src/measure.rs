@@ -50,12 +50,60 @@ impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Meter<'_, S, W, 
     fn links(&mut self, family: &Family<S>, order: impl Order) {
         order.each::<W, H>(|a, b| {
             let length = (self.particles.position.at(b) - self.particles.position.at(a)).length();
-            let strain = (length - family.rest.length).divide(family.rest.length).abs();
+            let strain = strain_of(length, family.rest.length);
             self.largest = self.largest.max(strain);
             self.sum = S::accumulate(self.sum, strain.product(strain));
             self.count += 1;
         });
     }
+}
+
+/// The [`largest`](Strain::largest) strain alone, for boards: by two roots a family instead of one a link.
+pub fn largest_strain<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
+    particles: &Particles<S, W, H>,
+    links: &L,
+) -> S {
+    let mut extremes = Extremes { particles, largest: S::ZERO };
+    links.springs(&mut extremes);
+    extremes.largest
+}
+
+struct Extremes<'a, S: Scalar, const W: usize, const H: usize> {
+    particles: &'a Particles<S, W, H>,
+    largest: S,
+}
+
+impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Extremes<'_, S, W, H> {
+    #[inline]
+    fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
+        one_by_one::<S, ACROSS, DOWN>(self, family);
+    }
+}
+
+impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Extremes<'_, S, W, H> {
+    #[inline(always)]
+    fn links(&mut self, family: &Family<S>, order: impl Order) {
+        let rest = family.rest.length;
+        // a chain has no links across, and their rest length is nothing
+        let mut squares: Option<[S::Product; 2]> = None;
+        order.each::<W, H>(|a, b| {
+            let square = (self.particles.position.at(b) - self.particles.position.at(a)).squared();
+            let [shortest, longest] = squares.unwrap_or([square; 2]);
+            squares = Some([
+                if square < shortest { square } else { shortest },
+                if square > longest { square } else { longest },
+            ]);
+        });
+        for square in squares.into_iter().flatten() {
+            self.largest = self.largest.max(strain_of(S::root(square), rest));
+        }
+    }
+}
+
+/// By how much a length differs from a rest length.
+#[inline(always)]
+fn strain_of<S: Scalar>(length: S, rest: S) -> S {
+    (length - rest).divide(rest).abs()
 }
 
 /// The kinetic energy of the free particles, J.
@@ -180,7 +228,9 @@ pub fn digest<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::Node;
+    use crate::grid::{Grid, Node};
+    use crate::link::{Shear, Stretch};
+    use crate::scalar::{Q13, Q24};
 
     /// Which of the undefined numbers an operation gives differs from build to build.
     #[test]
@@ -198,6 +248,36 @@ mod tests {
         check([0x7fc0_0000, 0xffc0_0000, 0x7f80_0001, 0xffff_ffff].map(f32::from_bits), f32::INFINITY);
         let wide = [0x7ff8 << 48, 0xfff8 << 48, (0x7ff << 52) + 1, u64::MAX].map(f64::from_bits);
         check(wide, f64::INFINITY);
+    }
+
+    #[test]
+    fn the_largest_strain_alone_is_that_of_all_links() {
+        fn check<S: Scalar, const W: usize, const H: usize>() {
+            let units = Units::sheet([W, H], [0.3, 0.2], 1e-3, 1.0 / 60.0, 4);
+            let links =
+                (Stretch::<S>::new(&units, units.stiffness(1.0)), Shear::<S>::new(&units, units.stiffness(1.0)));
+            // shrunk to a point and further, at rest, and stretched by far
+            for scale in [0.0, -0.4, 0.97, 1.0, 1.02, 3.0] {
+                let mut particles = Particles::<S, W, H>::BLANK;
+                for (k, node) in Grid::<S, W, H>::nodes().enumerate() {
+                    let noise = 0.02 * libm::sin(7.0 * k as f64);
+                    let place = [node.column as f64 * scale + noise, node.row as f64 * scale, noise * scale];
+                    particles.position.set(node, Vec3::from_f64(place));
+                }
+                let expected = strain(&particles, &links).largest;
+                assert!(largest_strain(&particles, &links) == expected, "{W} × {H} in {}, {scale}", S::NAME);
+                assert!(W == 1 || expected > S::ZERO);
+            }
+        }
+        fn of_grids<S: Scalar>() {
+            check::<S, 5, 4>();
+            check::<S, 1, 4>();
+            check::<S, 2, 1>();
+        }
+        of_grids::<f32>();
+        of_grids::<f64>();
+        of_grids::<Q24>();
+        of_grids::<Q13>();
     }
 
     #[test]

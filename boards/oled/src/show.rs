@@ -140,7 +140,7 @@ impl<'a> Show<'a> {
 
     /// The largest strain of a thread.
     pub fn strain(&self) -> Q13 {
-        measure::strain(self.cloth, &self.scene.links.0).largest
+        measure::largest_strain(self.cloth, &self.scene.links.0)
     }
 
     /// Draws what is behind the curtain: its rod.

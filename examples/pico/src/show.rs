@@ -14,7 +14,8 @@ use kerchief::render::{Camera, Light, Look, Shade, Shaded, View};
 use kerchief::scene::Only;
 use kerchief::units::PanelFlow;
 use kerchief::{
-    Cloth, Gravity, Lines, Node, PanelWind, Q13, Resting, Scalar, Scene, Shear, Sheet, Solver, Stillness, Stretch, Vec3,
+    Cloth, Gravity, Lines, Node, PanelWind, Q13, Resting, Scalar, Scene, Shear, Sheet, Solver, Stillness, Stretch,
+    Vec3, measure,
 };
 
 /// Particles down the pole and along the flag.
@@ -201,15 +202,10 @@ impl Show {
         !rests
     }
 
-    /// How far the most strained of the stretch links is strained: what [`measure::strain`](kerchief::measure::strain) says of [`stretch`](Self::stretch), by two roots
-    /// a direction instead of one a link.
+    /// How far the most strained of the [stretch](Self::stretch) links is strained.
     #[inline(never)]
     pub fn strain(&self) -> Q13 {
-        let at = |column, row| self.cloth.position.at(Node::new(column, row));
-        let down = (0..ROWS).flat_map(|row| (1..ROW).map(move |column| at(column, row) - at(column - 1, row)));
-        let along = (1..ROWS).flat_map(|row| (0..ROW).map(move |column| at(column, row) - at(column, row - 1)));
-        let [side_down, side_along] = SHEET.units.sides.map(Q13::from_f64);
-        Ord::max(strain(down, side_down), strain(along, side_along))
+        measure::largest_strain(&self.cloth, self.stretch())
     }
 
     /// The links whose strain is shown.
@@ -267,23 +263,6 @@ impl Show {
     pub fn draw<D: DrawTarget<Color: Shade>>(&mut self, target: &mut D) -> Result<(), D::Error> {
         self.shaded.draw(&self.cloth, &self.camera, target)
     }
-}
-
-/// The largest strain of links of a rest length.
-#[inline]
-fn strain(links: impl Iterator<Item = Vec3<Q13>>, rest: Q13) -> Q13 {
-    let rested = rest.product(rest);
-    let (mut least, mut most) = (rested, rested);
-    for square in links.map(Vec3::squared) {
-        if square < least {
-            least = square;
-        }
-        if square > most {
-            most = square;
-        }
-    }
-    let strain = |square| (Q13::root(square) - rest).divide(rest).abs();
-    Ord::max(strain(least), strain(most))
 }
 
 /// A flag with a sleeve for its pole.
