@@ -118,7 +118,7 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
         for node in Grid::<S, W, H>::nodes() {
             if is_border(node, W, H) {
                 let inverse_mass = self.inverse_mass[node].divide(factor);
-                assert!(S::FLOATS || inverse_mass < S::from_int(127), "a hem is too light for the number type");
+                assert!(inverse_mass.is_within(S::from_int(127)), "a hem is too light for the number type");
                 self.inverse_mass[node] = inverse_mass;
             }
         }

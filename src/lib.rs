@@ -32,25 +32,25 @@
 //!
 //! Each module uses only those above it.
 //!
-//! | module | contents |
+//! | module or type | contents |
 //! |---|---|
 //! | [`scalar`] | numbers: `f32`, `f64`, fixed point |
-//! | [`vec3`], [`grid`], [`vectors`] | vectors, and numbers and vectors on a grid |
+//! | [`Vec3`], [`Grid`], [`Vectors`] | vectors, and numbers and vectors on a grid |
 //! | [`units`] | cells, ticks and particle masses; the way in from SI |
-//! | [`moment`] | where in a frame a solver is |
+//! | [`Moment`] | where in a frame a solver is |
 //! | [`fingerprint`] | whether numbers have changed |
-//! | [`particles`] | what forces, links, colliders and solvers act on |
-//! | [`cloth`] | the state of a sheet |
+//! | [`Particles`] | what forces, links, colliders and solvers act on |
+//! | [`Cloth`] | the state of a sheet |
 //! | `saved` | its way out and back (feature `serde`) |
 //! | [`force`], [`link`], [`collider`] | what acts on it |
 //! | [`solver`] | the ways to move it |
 //! | [`self_contact`] | a sheet that meets itself |
 //! | [`rest`] | when nothing moves, nothing is computed |
 //! | [`scene`] | the description, and the step |
-//! | [`sheet`] | size, number type and units said once; the way in |
+//! | [`Sheet`] | size, number type and units said once; the way in |
 //! | [`measure`] | strain, energy, momentum, digest |
 //! | [`mesh`] | positions, normals and triangles for a graphics engine |
-//! | [`ray`] | which particle is under a pixel |
+//! | [`Ray`] | which particle is under a pixel |
 //! | `render` | drawing on any `embedded-graphics` display (feature `graphics`) |
 //! | [`host`] | scene files, for programs on a host (feature `std`) |
 //!
@@ -68,11 +68,11 @@ extern crate std;
 #[cfg(all(target_os = "none", feature = "std"))]
 compile_error!("the feature `std` is for programs on a host: build firmware without it");
 
-pub mod cloth;
+mod cloth;
 pub mod collider;
 pub mod fingerprint;
 pub mod force;
-pub mod grid;
+mod grid;
 // pages of documentation, without an item
 #[cfg(doc)]
 pub mod guide;
@@ -82,9 +82,9 @@ pub mod link;
 pub mod material;
 pub mod measure;
 pub mod mesh;
-pub mod moment;
-pub mod particles;
-pub mod ray;
+mod moment;
+mod particles;
+mod ray;
 #[cfg(feature = "graphics")]
 pub mod render;
 pub mod rest;
@@ -93,11 +93,11 @@ pub mod saved;
 pub mod scalar;
 pub mod scene;
 pub mod self_contact;
-pub mod sheet;
+mod sheet;
 pub mod solver;
 pub mod units;
-pub mod vec3;
-pub mod vectors;
+mod vec3;
+mod vectors;
 
 pub use cloth::Cloth;
 pub use collider::{Capsule, Collider, Moving, Plane, Sphere};

@@ -102,19 +102,19 @@ impl<S: Scalar> Quotient<S> {
     /// `x · dividend` to the last place, as the dividend of a soft link is small. That of a stiff one is 1.
     #[inline(always)]
     pub(crate) fn times_dividend(self, x: S) -> S {
-        if !S::FLOATS && self.dividend == S::ONE { x } else { x * self.dividend }
+        if S::LOOKING_PAYS && self.dividend == S::ONE { x } else { x * self.dividend }
     }
 
     /// `x · divisor` to the last place, as the divisor of a stiff link is small. That of a soft one is 1; and multipliers start from nothing.
     #[inline(always)]
     pub(crate) fn times_divisor(self, x: S) -> S {
-        if !S::FLOATS && (x == S::ZERO || self.divisor == S::ONE) { x } else { x * self.divisor }
+        if S::LOOKING_PAYS && (x == S::ZERO || self.divisor == S::ONE) { x } else { x * self.divisor }
     }
 
     /// `x · dividend` for `|x| ≤ 1`, as far as [`Scalar::scaled`] goes. The dividend of a stiff link is 1.
     #[inline(always)]
     pub(crate) fn of_dividend(self, x: S) -> S {
-        if !S::FLOATS && self.dividend == S::ONE { x } else { x.scaled(self.dividend) }
+        if S::LOOKING_PAYS && self.dividend == S::ONE { x } else { x.scaled(self.dividend) }
     }
 
     /// Takes the quotient in.

@@ -45,21 +45,21 @@
 //! # Ok::<(), core::convert::Infallible>(())
 //! ```
 
-pub mod camera;
-pub mod canvas;
+mod camera;
+mod canvas;
 mod fill;
-pub mod ground;
+mod ground;
 pub mod light;
-pub mod look;
+mod look;
 pub mod pattern;
 mod quotient;
-pub mod shaded;
+mod shaded;
 pub mod shadow;
-pub mod solid;
+mod solid;
 mod surface;
-pub mod tone;
-pub mod view;
-pub mod wireframe;
+mod tone;
+mod view;
+mod wireframe;
 
 pub use camera::Camera;
 pub use canvas::{Canvas, Dirty};

@@ -27,7 +27,7 @@
 //! [`Cloth`] that notices when it may have been written to: by anybody who takes its particles with `&mut`. They are then compared, once, with what they were, so that what
 //! is written over with itself sleeps on, and a sheet that is put in another's place does not.
 //!
-//! A frame that leaves the sheet where it was need not be drawn again: that is one with [`Memory::is_at_rest`] before and after it.
+//! A frame that leaves the sheet where it was need not be drawn again: that is one with [`RestingMemory::is_at_rest`] before and after it.
 //!
 //! A sheet rests as a whole. While any of it moves, few rows are still between two others that are (slower than 1 % of the sheet's size a second): 3 % in the
 //! curtain, 2 % in the drape, 7 and 20 % in the last seconds of the thesis' sheets on a ball and on three corners. And columns, diagonals and multipliers run
@@ -155,10 +155,10 @@ impl Threshold {
         solver: &V,
         physics: Physics<'_, F, L, C>,
         cloth: &mut Cloth<S, W, H>,
-        memory: &mut Memory<V::Memory<L, W, H>, S, W, H>,
+        memory: &mut RestingMemory<V::Memory<L, W, H>, S, W, H>,
         end: Moment,
     ) {
-        let Memory { watch, places, .. } = memory;
+        let RestingMemory { watch, places, .. } = memory;
         if watch.at_rest {
             let mut seen = surroundings(physics);
             cloth.fingerprint(&mut seen);
@@ -196,13 +196,13 @@ impl Threshold {
 /// What a solver remembers, since when its sheet is still, and three bytes a particle of where that was.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Memory<M, S, const W: usize, const H: usize> {
+pub struct RestingMemory<M, S, const W: usize, const H: usize> {
     solver: M,
     watch: Watch<S>,
     places: Places<W, H>,
 }
 
-impl<M, S: Scalar, const W: usize, const H: usize> Memory<M, S, W, H> {
+impl<M, S: Scalar, const W: usize, const H: usize> RestingMemory<M, S, W, H> {
     /// The memory of a sheet in motion. In a constant too, for a `static` of a board.
     pub const fn new(solver: M) -> Self {
         Self { solver, watch: Watch::AWAKE, places: Places(Grid::filled([0; 3])) }
@@ -309,12 +309,12 @@ fn surroundings<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>>(physics: Ph
 }
 
 impl<S: Scalar, V: Solver<S>> Solver<S> for Resting<V> {
-    type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<V::Memory<L, W, H>, S, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = RestingMemory<V::Memory<L, W, H>, S, W, H>;
 
     const WHOLE_FRAMES: bool = true;
 
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
-        Memory::new(self.solver.memory())
+        RestingMemory::new(self.solver.memory())
     }
 
     fn frame<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(

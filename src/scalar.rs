@@ -55,8 +55,15 @@ pub trait Scalar:
     /// How far rounding carries a sheet that is as good as at rest, cells. In fixed point drag does not slow the last 1/(2·γ·h) places of a velocity.
     const STRAY: f64;
 
-    /// Whether small numbers keep as many digits as large ones: then the scale of a number is free to choose.
-    const FLOATS: bool = false;
+    /// Whether sums and differences are exact, and wrap beyond the range: those of fixed point. Then no order of adding loses a digit, and a few last places are nothing but
+    /// round-off.
+    const EXACT_SUMS: bool = false;
+    /// Whether looking if a factor is 0 or 1 costs less than a product.
+    const LOOKING_PAYS: bool = false;
+    /// The least softness 1/κ beside which the inertia of a particle is resolved.
+    const LEAST_SOFTNESS: f64 = 1e-6;
+    /// A [divisor](Self::divisor) that leaves nothing of a number.
+    const INFINITE_DIVISOR: Self;
 
     /// A product of two numbers, wide enough for three of them to be added without overflow; exact in fixed point.
     type Product: Copy + Debug + PartialOrd + Add<Output = Self::Product>;
@@ -109,6 +116,60 @@ pub trait Scalar:
     #[must_use]
     fn difference(self, other: Self) -> Self {
         self - other
+    }
+
+    /// Whether `self + other` lies beyond the range and wraps. Floats are infinite there.
+    #[inline]
+    fn wraps(self, _other: Self) -> bool {
+        false
+    }
+
+    /// Whether the number is no more than a bound that keeps what follows in the range of fixed point. Floats need none.
+    #[inline(always)]
+    fn is_within(self, _bound: Self) -> bool {
+        true
+    }
+
+    /// The number, or a bound that keeps what follows in the range of fixed point.
+    #[inline(always)]
+    #[must_use]
+    fn bounded(self, _bound: Self) -> Self {
+        self
+    }
+
+    /// How often fixed point doubles a positive number until another time would make it more than `large`; how often it halves a larger one, below zero. Floats keep their
+    /// digits at any size.
+    #[inline(always)]
+    fn headroom(self, _large: Self) -> i32 {
+        0
+    }
+
+    /// `self · 2^shift`: in a unit so much smaller, where fixed point has room for it. Floats keep their digits in any unit, and their unit.
+    #[inline(always)]
+    #[must_use]
+    fn in_smaller_unit(self, _shift: u32) -> Self {
+        self
+    }
+
+    /// `self / 2^shift`, likewise in a unit so much larger.
+    #[inline(always)]
+    #[must_use]
+    fn in_larger_unit(self, _shift: u32) -> Self {
+        self
+    }
+
+    /// What [`over`](Self::over) divides by: for numbers that divide by multiplying, the reciprocal.
+    #[inline(always)]
+    #[must_use]
+    fn divisor(self) -> Self {
+        self
+    }
+
+    /// `self` by a [divisor](Self::divisor).
+    #[inline(always)]
+    #[must_use]
+    fn over(self, divisor: Self) -> Self {
+        self.divide(divisor)
     }
 
     /// The exact (fixed point) or rounded (float) product.
@@ -168,6 +229,21 @@ pub trait Scalar:
     #[inline]
     fn cosine(a: [Self; 3], b: [Self; 3]) -> Self {
         Self::narrow(a[0].product(b[0]) + a[1].product(b[1]) + a[2].product(b[2]))
+    }
+
+    /// `(place − origin)·normal`, as of places that may be further apart than fixed point holds.
+    #[inline]
+    fn height(place: [Self; 3], origin: [Self; 3], normal: [Self; 3]) -> Self {
+        Self::cosine([place[0] - origin[0], place[1] - origin[1], place[2] - origin[2]], normal)
+    }
+
+    /// Whether one of four vectors is shorter than `length`, or in fixed point all its components are.
+    #[inline(always)]
+    fn any_shorter(vector: impl Fn(usize) -> [Self; 3], length: Self) -> bool {
+        // four numbers at once, where a machine does that
+        let square = |lane| Self::narrow(squared(vector(lane)));
+        let [a, b, c, d] = [square(0), square(1), square(2), square(3)];
+        a.min(b).min(c.min(d)) < length * length
     }
 
     /// What panels of the area A₀ at rest (cells², up to 1) have in common. Air that moves at one cell per tick against a panel of 1 cell² gives each of its

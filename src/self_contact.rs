@@ -113,7 +113,7 @@ pub(crate) struct Law<S: Scalar> {
     coarse: i32,
     flatness: Flatness,
     /// The most pairs of tiles that are kept. With fewer nothing changes but the time it takes.
-    room: usize,
+    capacity: usize,
 }
 
 impl<S: Scalar> Law<S> {
@@ -126,7 +126,7 @@ impl<S: Scalar> Law<S> {
             neighbours,
             coarse: (256.0 * cells) as i32 + 1,
             flatness: Flatness::new(sides, neighbours),
-            room: usize::MAX,
+            capacity: usize::MAX,
         }
     }
 
@@ -162,7 +162,7 @@ const fn apart(side: f64, thickness: f64) -> usize {
 /// What a solver remembers, and which parts of its sheet may meet.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Memory<M, const W: usize, const H: usize> {
+pub struct SelfContactMemory<M, const W: usize, const H: usize> {
     solver: M,
     // found anew in every frame
     #[cfg_attr(feature = "serde", serde(skip, default = "nothing"))]
@@ -174,7 +174,7 @@ const fn nothing<const W: usize, const H: usize>() -> Near<W, H> {
     Near::NONE
 }
 
-impl<M, const W: usize, const H: usize> Memory<M, W, H> {
+impl<M, const W: usize, const H: usize> SelfContactMemory<M, W, H> {
     /// What the solver remembers.
     pub const fn solver(&mut self) -> &mut M {
         &mut self.solver
@@ -187,11 +187,11 @@ impl<M, const W: usize, const H: usize> Memory<M, W, H> {
 }
 
 impl<S: Scalar, V: Solver<S>> Solver<S> for SelfContact<S, V> {
-    type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<V::Memory<L, W, H>, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = SelfContactMemory<V::Memory<L, W, H>, W, H>;
 
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         const { assert!(!V::WHOLE_FRAMES, "`Resting` stands around `SelfContact`, or the sheet never rests") };
-        Memory { solver: self.solver.memory(), near: Near::NONE }
+        SelfContactMemory { solver: self.solver.memory(), near: Near::NONE }
     }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
@@ -201,7 +201,7 @@ impl<S: Scalar, V: Solver<S>> Solver<S> for SelfContact<S, V> {
         memory: &mut Self::Memory<L, W, H>,
         moment: Moment,
     ) {
-        let Memory { solver, near } = memory;
+        let SelfContactMemory { solver, near } = memory;
         substep(Some((&self.law, near)), &self.solver, physics, particles, solver, moment);
     }
 }
@@ -301,11 +301,11 @@ mod tests {
     use crate::solver::{Lines, Xpbd};
 
     /// A sheet that falls in a heap has the same bits however few pairs are kept: with none, all pairs of particles are looked at in every substep.
-    fn any_room<S: Scalar, V: Solver<S> + Copy>(solver: V) {
+    fn any_capacity<S: Scalar, V: Solver<S> + Copy>(solver: V) {
         const W: usize = 9;
         const H: usize = 14;
         let sheet = Sheet::<S, W, H>::new([0.24, 0.39], 1e-4, 1.0 / 60.0, 8);
-        let run = |room: usize| {
+        let run = |capacity: usize| {
             let mut cloth = sheet.hang([-0.12, 0.0, 0.42]);
             for node in Grid::<S, W, H>::nodes() {
                 let sway = 0.3 * ((7 * node.column + 3 * node.row) as f64).sin();
@@ -315,7 +315,7 @@ mod tests {
             let links = (sheet.stretch(100.0), sheet.shear(5.0), sheet.bend(0.05));
             let ground = sheet.plane([0.0; 3], [0.0, 0.0, 1.0], 0.01);
             let mut own = sheet.self_contact(0.03, 0.3, solver);
-            own.law.room = room;
+            own.law.capacity = capacity;
             let scene = sheet.scene(forces, links, ground, own);
             let mut memory = scene.memory();
             let mut met = 0;
@@ -327,17 +327,17 @@ mod tests {
             cloth
         };
         let all = run(usize::MAX);
-        for room in [0, 1, 7] {
-            assert!(run(room) == all, "room for {room} pairs, in {}", S::NAME);
+        for capacity in [0, 1, 7] {
+            assert!(run(capacity) == all, "capacity for {capacity} pairs, in {}", S::NAME);
         }
     }
 
     #[test]
-    fn any_room_gives_the_same_bits() {
-        any_room::<f32, _>(Lines::new());
-        any_room::<Q24, _>(Lines::new());
-        any_room::<Q13, _>(Xpbd);
-        any_room::<f64, _>(Xpbd);
+    fn any_capacity_gives_the_same_bits() {
+        any_capacity::<f32, _>(Lines::new());
+        any_capacity::<Q24, _>(Lines::new());
+        any_capacity::<Q13, _>(Xpbd);
+        any_capacity::<f64, _>(Xpbd);
     }
 
     #[test]

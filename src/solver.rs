@@ -13,13 +13,14 @@
 //! | [`BackwardEuler`] | 1 | any h | conjugate gradients | few large steps |
 //! | [`Lines`] | 2 | any h | two sweeps, more and shorter steps where the sheet snaps taut | sheets that hardly stretch |
 
+mod aside;
 mod backward_euler;
 mod force_sum;
 mod forward_euler;
 mod leapfrog;
 mod lines;
+mod one_step;
 mod physics;
-mod predict;
 mod sweep;
 mod unit_mass;
 mod verlet;
@@ -38,7 +39,7 @@ use crate::scalar::Scalar;
 pub use backward_euler::BackwardEuler;
 pub use forward_euler::ForwardEuler;
 pub use leapfrog::Leapfrog;
-pub use lines::{Lines, Memory as LinesMemory};
+pub use lines::{Lines, LinesMemory};
 pub use physics::Physics;
 pub use verlet::Verlet;
 pub use xpbd::Xpbd;

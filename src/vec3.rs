@@ -147,7 +147,7 @@ impl<S: Scalar> Vec3<S> {
     }
 
     #[inline(always)]
-    fn array(self) -> [S; 3] {
+    pub(crate) fn array(self) -> [S; 3] {
         [self.x, self.y, self.z]
     }
 

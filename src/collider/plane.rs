@@ -34,14 +34,10 @@ impl<S: Scalar> Plane<S> {
         Self { point: point.to_vec(), normal, friction: S::ZERO, margin: S::from_f64(margin.0) }
     }
 
-    /// How far a place is in front of the plane. In fixed point differences of places would wrap; of products, which are exact, none is lost.
+    /// How far a place is in front of the plane.
     #[inline]
     fn height(&self, place: Vec3<S>) -> S {
-        if S::FLOATS {
-            (place - self.point).dot(self.normal)
-        } else {
-            S::narrow(place.dot_wide(self.normal) + (-self.point).dot_wide(self.normal))
-        }
+        S::height(place.array(), self.point.array(), self.normal.array())
     }
 
     /// The same plane with friction.

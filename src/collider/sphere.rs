@@ -86,16 +86,11 @@ impl<S: Scalar> Collider<S> for Sphere<S> {
     fn advance(&mut self, end: Moment) {
         self.centre += self.velocity * end.ticks();
         // it would come back from the other end
-        if !S::FLOATS && wraps(self.centre, self.velocity) {
+        let Self { centre, velocity, .. } = *self;
+        if centre.x.wraps(velocity.x) || centre.y.wraps(velocity.y) || centre.z.wraps(velocity.z) {
             self.velocity = Vec3::ZERO;
         }
     }
-}
-
-/// Whether a sum wraps.
-fn wraps<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> bool {
-    let wraps = |a: S, b: S| (a + b < a) != (b < S::ZERO);
-    wraps(a.x, b.x) || wraps(a.y, b.y) || wraps(a.z, b.z)
 }
 
 #[cfg(test)]

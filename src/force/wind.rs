@@ -127,7 +127,7 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
             let u = self.wind - (a * third + b * third + c * third);
             let length = n.length();
             let across = over(n.dot(u), length);
-            let speed = if S::FLOATS { across.abs() } else { across.abs().min(fastest) };
+            let speed = across.abs().bounded(fastest);
             let most = most[cell];
             let most = if length > large { (large * most).divide(length) } else { most };
             n * ((self.pressure * speed).min(most) * across)

@@ -166,7 +166,7 @@ impl Scalar for Counted {
     const EDGE: f64 = f32::EDGE;
     const STRAY: f64 = f32::STRAY;
     const EMPTY: Self = Self(f32::EMPTY);
-    const FLOATS: bool = f32::FLOATS;
+    const INFINITE_DIVISOR: Self = Self(f32::INFINITE_DIVISOR);
 
     type Product = Self;
     type Prepared = ();

@@ -12,7 +12,7 @@ use super::error::SceneError;
 use super::run::Still;
 use super::shape::for_each_shape;
 use crate::cloth::Cloth;
-use crate::render::ground::Backdrop;
+use crate::render::Backdrop;
 use crate::render::pattern::{Border, CELL, Checks, Gingham, Pattern, Place, Stripes, Width};
 use crate::render::{Ball, Camera, Ground, Light, Look, Rod, Shaded, Shadow, View, Wireframe};
 use crate::units::{Length, Point, Units};

@@ -15,10 +15,10 @@ pub(super) struct Range<S> {
 impl<S: Scalar> Range<S> {
     /// Compiled for each number type, not for each grid.
     pub(super) fn new(positions: &mut dyn Iterator<Item = Vec3<S>>) -> Self {
-        Self { last: if S::FLOATS { Vec::new() } else { positions.collect() }, left: false }
+        Self { last: positions.collect(), left: false }
     }
 
-    /// Compares with the last look. Floats say themselves that they have left theirs: they are infinite.
+    /// Compares with the last look.
     pub(super) fn look(&mut self, positions: &mut dyn Iterator<Item = Vec3<S>>) {
         for (last, now) in self.last.iter_mut().zip(positions) {
             let (from, to) = (last.to_f64(), now.to_f64());

@@ -33,7 +33,7 @@ pub(super) enum AnySolver {
 type MemoryOf<V, S, L, const W: usize, const H: usize> = <V as Solver<S>>::Memory<L, W, H>;
 
 /// The memory of [`AnySolver`], on the heap: a large grid's does not fit the stack of every thread.
-pub(super) enum Memory<S: Scalar, L: Links<S>, const W: usize, const H: usize> {
+pub(super) enum AnyMemory<S: Scalar, L: Links<S>, const W: usize, const H: usize> {
     None,
     ForwardEuler(Box<MemoryOf<ForwardEuler, S, L, W, H>>),
     BackwardEuler(Box<MemoryOf<BackwardEuler, S, L, W, H>>),
@@ -64,15 +64,15 @@ impl AnySolver {
 }
 
 impl<S: Scalar> Solver<S> for AnySolver {
-    type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<S, L, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = AnyMemory<S, L, W, H>;
 
-    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Memory<S, L, W, H> {
+    fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> AnyMemory<S, L, W, H> {
         match self {
-            Self::Verlet(_) | Self::Xpbd(_) => Memory::None,
-            Self::ForwardEuler(solver) => Memory::ForwardEuler(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
-            Self::BackwardEuler(solver) => Memory::BackwardEuler(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
-            Self::Leapfrog(solver) => Memory::Leapfrog(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
-            Self::Lines(solver) => Memory::Lines(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
+            Self::Verlet(_) | Self::Xpbd(_) => AnyMemory::None,
+            Self::ForwardEuler(solver) => AnyMemory::ForwardEuler(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
+            Self::BackwardEuler(solver) => AnyMemory::BackwardEuler(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
+            Self::Leapfrog(solver) => AnyMemory::Leapfrog(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
+            Self::Lines(solver) => AnyMemory::Lines(Box::new(Solver::<S>::memory::<L, W, H>(solver))),
         }
     }
 
@@ -80,20 +80,20 @@ impl<S: Scalar> Solver<S> for AnySolver {
         &self,
         physics: Physics<'_, F, L, C>,
         particles: &mut Particles<S, W, H>,
-        memory: &mut Memory<S, L, W, H>,
+        memory: &mut AnyMemory<S, L, W, H>,
         moment: Moment,
     ) {
         match (self, memory) {
             (Self::Verlet(solver), _) => solver.substep(physics, particles, &mut Stateless::new(), moment),
             (Self::Xpbd(solver), _) => solver.substep(physics, particles, &mut Stateless::new(), moment),
-            (Self::ForwardEuler(solver), Memory::ForwardEuler(memory)) => {
+            (Self::ForwardEuler(solver), AnyMemory::ForwardEuler(memory)) => {
                 solver.substep(physics, particles, memory, moment);
             }
-            (Self::BackwardEuler(solver), Memory::BackwardEuler(memory)) => {
+            (Self::BackwardEuler(solver), AnyMemory::BackwardEuler(memory)) => {
                 solver.substep(physics, particles, memory, moment);
             }
-            (Self::Leapfrog(solver), Memory::Leapfrog(memory)) => solver.substep(physics, particles, memory, moment),
-            (Self::Lines(solver), Memory::Lines(memory)) => solver.substep(physics, particles, memory, moment),
+            (Self::Leapfrog(solver), AnyMemory::Leapfrog(memory)) => solver.substep(physics, particles, memory, moment),
+            (Self::Lines(solver), AnyMemory::Lines(memory)) => solver.substep(physics, particles, memory, moment),
             _ => unreachable!("a solver meets the memory it made"),
         }
     }
@@ -108,7 +108,7 @@ pub(super) struct Layered<S: Scalar> {
 
 /// The memory of [`Layered`]. Which parts of the sheet may meet is on the heap, if it may.
 pub(super) struct LayeredMemory<S: Scalar, L: Links<S>, const W: usize, const H: usize> {
-    solver: Memory<S, L, W, H>,
+    solver: AnyMemory<S, L, W, H>,
     near: Option<Box<Near<W, H>>>,
 }
 
@@ -178,12 +178,12 @@ impl<S: Scalar> SceneSolver<S> {
 }
 
 impl<S: Scalar> Solver<S> for SceneSolver<S> {
-    type Memory<L: Links<S>, const W: usize, const H: usize> = rest::Memory<LayeredMemory<S, L, W, H>, S, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = rest::RestingMemory<LayeredMemory<S, L, W, H>, S, W, H>;
 
     const WHOLE_FRAMES: bool = true;
 
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
-        rest::Memory::new(self.solver.memory())
+        rest::RestingMemory::new(self.solver.memory())
     }
 
     fn frame<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(

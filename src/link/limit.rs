@@ -32,7 +32,7 @@ impl<L, S: Scalar> StrainLimited<L, S> {
         assert!(is_positive(limit), "a strain limit is positive and finite");
         let limit = S::from_f64(limit);
         assert!(limit > S::ZERO && limit.is_finite(), "a strain limit is positive and finite");
-        assert!(S::FLOATS || limit < S::from_int(63), "fixed point holds strain limits below 63");
+        assert!(limit.is_within(S::from_f64(63.0 - 1e-6)), "fixed point represents strain limits below 63");
         Self { links, allowed: S::ONE + limit }
     }
 }

@@ -23,7 +23,7 @@ pub struct Look<F, B, O = (), G = ()> {
 }
 
 /// Cloth: a faint sheen, a quarter of the light shines through.
-pub const COTTON: Finish = Finish { gloss: Rgb888::new(26, 24, 22), polish: 3, translucency: 64 };
+const COTTON: Finish = Finish { gloss: Rgb888::new(26, 24, 22), polish: 3, translucency: 64 };
 
 impl<P: Copy> Look<P, P> {
     /// A sheet alone, of the same pattern on both sides.

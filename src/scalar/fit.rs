@@ -60,7 +60,8 @@ pub(crate) const fn fit<S: Scalar, const N: usize>(values: [f64; N]) -> Fit {
         if !is_in_range::<S>(values[k]) {
             return Fit::TooLarge;
         }
-        let [places, rounded] = if S::FLOATS { in_normal_numbers::<S>(values[k]) } else { in_places::<S>(values[k]) };
+        let [places, rounded] =
+            if S::EXACT_SUMS { in_places::<S>(values[k]) } else { in_normal_numbers::<S>(values[k]) };
         largest = if places > largest { places } else { largest };
         error = if rounded > error { rounded } else { error };
         is_zero &= magnitude(values[k]) == 0;

@@ -144,6 +144,10 @@ impl<K: Kernel> Scalar for Fixed24<K> {
     const EDGE: f64 = K::EDGE;
     const STRAY: f64 = K::STRAY;
     const EMPTY: i128 = 0;
+    const EXACT_SUMS: bool = true;
+    const LOOKING_PAYS: bool = true;
+    const LEAST_SOFTNESS: f64 = 1.0 / 65_536.0;
+    const INFINITE_DIVISOR: Self = Self::ZERO;
 
     type Product = Wide;
     type Prepared = K::Prepared;
@@ -215,6 +219,58 @@ impl<K: Kernel> Scalar for Fixed24<K> {
     }
 
     #[inline]
+    fn wraps(self, other: Self) -> bool {
+        self.to_bits().checked_add(other.to_bits()).is_none()
+    }
+
+    #[inline(always)]
+    fn is_within(self, bound: Self) -> bool {
+        self <= bound
+    }
+
+    #[inline(always)]
+    fn bounded(self, bound: Self) -> Self {
+        Scalar::min(self, bound)
+    }
+
+    #[inline]
+    fn headroom(self, large: Self) -> i32 {
+        let (mut most, mut room) = (self, 0);
+        if most <= Self::ZERO {
+            return 0;
+        }
+        while most > large {
+            most = most.halve(1);
+            room -= 1;
+        }
+        while most.double(1) <= large {
+            most = most.double(1);
+            room += 1;
+        }
+        room
+    }
+
+    #[inline(always)]
+    fn in_smaller_unit(self, shift: u32) -> Self {
+        self.double(shift)
+    }
+
+    #[inline(always)]
+    fn in_larger_unit(self, shift: u32) -> Self {
+        self.halve(shift)
+    }
+
+    #[inline(always)]
+    fn divisor(self) -> Self {
+        self.recip()
+    }
+
+    #[inline(always)]
+    fn over(self, divisor: Self) -> Self {
+        self * divisor
+    }
+
+    #[inline]
     fn product(self, other: Self) -> Wide {
         Wide::new(signed(self.to_bits(), other.to_bits()))
     }
@@ -274,6 +330,22 @@ impl<K: Kernel> Scalar for Fixed24<K> {
     #[inline]
     fn cosine(a: [Self; 3], b: [Self; 3]) -> Self {
         Self::from_bits(K::cosine(each(a, Self::to_bits), each(b, Self::to_bits)))
+    }
+
+    #[inline]
+    fn height(place: [Self; 3], origin: [Self; 3], normal: [Self; 3]) -> Self {
+        // of products, which are exact, none is lost
+        let along = |[x, y, z]: [Self; 3]| x.product(normal[0]) + y.product(normal[1]) + z.product(normal[2]);
+        Self::narrow(along(place) + along(each(origin, Neg::neg)))
+    }
+
+    #[inline(always)]
+    fn any_shorter(vector: impl Fn(usize) -> [Self; 3], length: Self) -> bool {
+        let short = |lane| {
+            let [x, y, z] = vector(lane);
+            x.abs() < length && z.abs() < length && y.abs() < length
+        };
+        short(0) || short(1) || short(2) || short(3)
     }
 
     #[inline]

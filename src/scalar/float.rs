@@ -32,7 +32,7 @@ macro_rules! float {
             const EDGE: f64 = 8.0 * Self::RESOLUTION;
             const STRAY: f64 = 8.0 * Self::EDGE;
             const EMPTY: Self = 0.0;
-            const FLOATS: bool = true;
+            const INFINITE_DIVISOR: Self = <$float>::INFINITY;
 
             type Product = Self;
             type Prepared = ();

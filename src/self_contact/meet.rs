@@ -87,19 +87,7 @@ fn blocks<const W: usize, const H: usize>(patch: &Patch) -> impl Iterator<Item =
 #[inline(always)]
 fn is_close<S: Scalar>(at: Vec3<S>, places: &Places<S>, d: S) -> bool {
     let [x, y, z] = places;
-    let way = |lane: usize| at - Vec3::new(x[lane], y[lane], z[lane]);
-    if S::FLOATS {
-        // four numbers at once, where a machine does that
-        let square = |lane| S::narrow(way(lane).squared());
-        let [a, b, c, e] = [square(0), square(1), square(2), square(3)];
-        a.min(b).min(c.min(e)) < d * d
-    } else {
-        let close = |lane| {
-            let r: Vec3<S> = way(lane);
-            r.x.abs() < d && r.z.abs() < d && r.y.abs() < d
-        };
-        close(0) || close(1) || close(2) || close(3)
-    }
+    S::any_shorter(|lane| [at.x - x[lane], at.y - y[lane], at.z - z[lane]], d)
 }
 
 struct Apart<'a, S: Scalar, M, const W: usize, const H: usize> {

@@ -30,7 +30,7 @@ pub(crate) struct Near<const W: usize, const H: usize> {
     bounds: Grid<i16, W, H>,
     pairs: Grid<Pair, W, H>,
     count: u16,
-    /// The first pair of tiles for which there was no room.
+    /// The first pair of tiles that the list had no place for.
     beyond: Option<[u8; 2]>,
     /// The last substep for which the list is good.
     last: u32,
@@ -118,11 +118,11 @@ impl<const W: usize, const H: usize> Near<W, H> {
         let flat = flat_blocks::<S, W, H>(tiles, law, watch);
         let search = Search { sweep, tiles, law, watch, flat };
         let pairs = self.pairs.0.as_flattened_mut();
-        let room = law.room;
+        let capacity = law.capacity;
         let mut count = 0;
         let mut beyond = None;
         search.pairs(|pair| {
-            let place = pairs.get_mut(count).filter(|_| count < room);
+            let place = pairs.get_mut(count).filter(|_| count < capacity);
             if let Some(place) = place {
                 *place = pair;
                 count += 1;

@@ -20,7 +20,7 @@ use crate::link::{Damping, Family, Links, OneByOne, Order, Visitor, fits, one_by
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, predict};
+use crate::solver::{Physics, Solver, one_step};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
@@ -50,7 +50,7 @@ impl Default for BackwardEuler {
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(deserialize = "S: Scalar + serde::Deserialize<'de>")))]
-pub struct Memory<S, const W: usize, const H: usize> {
+pub struct BackwardEulerMemory<S, const W: usize, const H: usize> {
     correction: Vectors<S, W, H>,
     step: Vectors<S, W, H>,
     residual: Vectors<S, W, H>,
@@ -59,13 +59,13 @@ pub struct Memory<S, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar> Solver<S> for BackwardEuler {
-    type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<S, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = BackwardEulerMemory<S, W, H>;
 
     #[track_caller]
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         assert!(self.newton_steps > 0, "backward Euler needs one Newton step at least");
         let zero = Vectors::filled(Vec3::ZERO);
-        Memory { correction: zero, step: zero, residual: zero, direction: zero, product: zero }
+        BackwardEulerMemory { correction: zero, step: zero, residual: zero, direction: zero, product: zero }
     }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
@@ -78,7 +78,7 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
         let shift = moment.shift;
         let inertia = S::ONE + physics.forces.drag().rate;
         let slowed = S::ONE.divide(inertia);
-        predict::predict(
+        one_step::predict(
             physics.forces,
             particles,
             |velocity, gain| {
@@ -135,7 +135,7 @@ impl<S: Scalar> System<S> {
         &self,
         links: &L,
         particles: &Particles<S, W, H>,
-        memory: &mut Memory<S, W, H>,
+        memory: &mut BackwardEulerMemory<S, W, H>,
         shift: u32,
     ) {
         each_node::<W, H>(|node| {
@@ -201,7 +201,7 @@ fn scale<S: Scalar, const W: usize, const H: usize>(links: &impl Links<S>) -> S 
     let mut stiffest = Stiffest::<S, W, H>(S::ONE);
     links.springs(&mut stiffest);
     links.dampers(&mut stiffest);
-    stiffest.0.max(S::from_f64(if S::FLOATS { 1e-6 } else { 1.0 / 65_536.0 }))
+    stiffest.0.max(S::from_f64(S::LEAST_SOFTNESS))
 }
 
 /// Adds spring forces.

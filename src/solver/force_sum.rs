@@ -5,7 +5,7 @@ use crate::grid::{Grid, Node};
 use crate::link::{Damping, Family, Links, OneByOne, Order, Visitor, one_by_one};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::predict::field;
+use crate::solver::one_step::field;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 

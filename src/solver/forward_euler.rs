@@ -7,7 +7,7 @@ use crate::link::Links;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, predict};
+use crate::solver::{Physics, Solver, one_step};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
@@ -41,7 +41,7 @@ impl<S: Scalar> Solver<S> for ForwardEuler {
         moment: Moment,
     ) {
         physics.gains(particles, moment, gain);
-        predict::drift(particles, moment.shift);
+        one_step::drift(particles, moment.shift);
         let rate = physics.forces.drag().rate;
         for node in Grid::<S, W, H>::nodes() {
             if !particles.is_pinned(node) {

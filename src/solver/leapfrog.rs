@@ -7,7 +7,7 @@ use crate::link::{Damping, Family, Links, Visitor};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::{Physics, Solver, predict};
+use crate::solver::{Physics, Solver, one_step};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
@@ -30,16 +30,16 @@ impl Leapfrog {
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(deserialize = "S: Scalar + serde::Deserialize<'de>")))]
-pub struct Memory<S, const W: usize, const H: usize> {
+pub struct LeapfrogMemory<S, const W: usize, const H: usize> {
     gain: Vectors<S, W, H>,
     start: Vectors<S, W, H>,
 }
 
 impl<S: Scalar> Solver<S> for Leapfrog {
-    type Memory<L: Links<S>, const W: usize, const H: usize> = Memory<S, W, H>;
+    type Memory<L: Links<S>, const W: usize, const H: usize> = LeapfrogMemory<S, W, H>;
 
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
-        Memory { gain: Vectors::filled(Vec3::ZERO), start: Vectors::filled(Vec3::ZERO) }
+        LeapfrogMemory { gain: Vectors::filled(Vec3::ZERO), start: Vectors::filled(Vec3::ZERO) }
     }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
@@ -49,9 +49,9 @@ impl<S: Scalar> Solver<S> for Leapfrog {
         memory: &mut Self::Memory<L, W, H>,
         moment: Moment,
     ) {
-        let Memory { gain, start } = memory;
+        let LeapfrogMemory { gain, start } = memory;
         let shift = moment.shift;
-        predict::drift(particles, shift + 1);
+        one_step::drift(particles, shift + 1);
         physics.gains(particles, moment, gain);
         let drag = physics.forces.drag();
         if physics.forces.follows_velocity() || is_damped(physics.links) {
@@ -74,7 +74,7 @@ impl<S: Scalar> Solver<S> for Leapfrog {
                 );
             }
         }
-        predict::drift(particles, shift + 1);
+        one_step::drift(particles, shift + 1);
         physics.confine(particles, moment);
     }
 }

@@ -12,7 +12,7 @@
 //!
 //! **In space** a sweep solves the other families, all rows and all columns, one after the other; after each sweep, particles are moved out of colliders. Rows, columns and
 //! the diagonals of the cells are chains, each solved exactly ([`chain`], [`diagonal`]); diagonals up to κ = k·h²/m = 32 and all other links are relaxed
-//! one by one ([`pairs`]). Families pull each other out of shape, so sweeps go on until every row is within the tolerance when it is met: where the sheet swings two are
+//! one by one ([`pairs`]). Families pull each other out of shape, so sweeps go on until one finds every row within the tolerance: where the sheet swings two are
 //! enough, where it snaps taut more are spent; once it is calm their number is [kept](sweeps). All multipliers start from nothing: on a stiff sheet a part of the last ones
 //! does not die away, and shakes it.
 //!
@@ -22,11 +22,10 @@ mod chain;
 mod columns;
 mod contact;
 mod diagonal;
+mod exponent;
 mod geometric_stiffness;
-mod heavy;
 mod pairs;
 mod place;
-mod predict;
 mod pull;
 mod regularise;
 mod relax;
@@ -35,6 +34,7 @@ mod rule;
 mod split;
 mod sweeps;
 mod tridiagonal;
+mod two_step;
 mod viscosity;
 
 use crate::collider::Collider;
@@ -45,7 +45,7 @@ use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::scalar::fit::is_positive;
-use crate::solver::{Physics, Solver};
+use crate::solver::{Physics, Solver, aside};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
@@ -129,12 +129,12 @@ const CALM: f64 = 0.02;
         deserialize = "S: Scalar + serde::Deserialize<'de>, T: serde::Deserialize<'de>, P: serde::Deserialize<'de>"
     ))
 )]
-pub struct Memory<S, T, P, const W: usize, const H: usize> {
+pub struct LinesMemory<S, T, P, const W: usize, const H: usize> {
     /// The velocity before the last substep, cells per tick.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::saved::finite"))]
     earlier: Vectors<S, W, H>,
     /// The multiplier of each link in the last sweep, at its upper or left particle, in cells over the dividend of the link's strength.
-    tension: T,
+    multipliers: T,
     /// What springs did beside dampers in the last substep: x, y and z.
     pull: P,
     kept: Kept,
@@ -143,11 +143,11 @@ pub struct Memory<S, T, P, const W: usize, const H: usize> {
     residual: S,
 }
 
-impl<S: Scalar, T: Blank, P: Blank, const W: usize, const H: usize> Memory<S, T, P, W, H> {
+impl<S: Scalar, T: Blank, P: Blank, const W: usize, const H: usize> LinesMemory<S, T, P, W, H> {
     /// What a solver starts with: nothing but zeros.
     pub const BLANK: Self = Self {
         earlier: Vectors::filled(Vec3::ZERO),
-        tension: T::BLANK,
+        multipliers: T::BLANK,
         pull: P::BLANK,
         kept: Kept::NONE,
         split: Split::NONE,
@@ -156,7 +156,7 @@ impl<S: Scalar, T: Blank, P: Blank, const W: usize, const H: usize> Memory<S, T,
     };
 }
 
-impl<S: Scalar, T, P, const W: usize, const H: usize> Memory<S, T, P, W, H> {
+impl<S: Scalar, T, P, const W: usize, const H: usize> LinesMemory<S, T, P, W, H> {
     /// What the sweeps of the last substep left: the largest strain of a row that a last sweep found before it solved the row; of a substep that was split, the largest of all
     /// its parts. Of a single sweep it is all strain that there is, of soft springs as well.
     ///
@@ -181,7 +181,7 @@ impl<S: Scalar, T, P, const W: usize, const H: usize> Memory<S, T, P, W, H> {
 }
 
 /// The multipliers of links, and what is remembered beside dampers.
-type MemoryOf<S, L, const W: usize, const H: usize> = Memory<
+type MemoryOf<S, L, const W: usize, const H: usize> = LinesMemory<
     S,
     <<L as Links<S>>::Directions as Count>::Array<Grid<S, W, H>>,
     <<L as Links<S>>::Damping as Damping>::Pull<Grid<S, W, H>>,
@@ -208,7 +208,7 @@ impl<S: Scalar> Solver<S> for Lines {
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
         assert!(self.sweeps > 0 && self.most_sweeps > 0, "lines need one sweep at least");
         assert!(is_positive(self.tolerance), "a tolerance is positive and finite");
-        Memory::BLANK
+        LinesMemory::BLANK
     }
 
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
@@ -259,11 +259,11 @@ impl Lines {
 
         // what friction looks back to
         let start = (colliders.is_present() || colliders.meets()).then_some(particles.position);
-        predict::predict(forces, particles, memory, moment, split);
-        let Memory { earlier, tension, pull, history, .. } = memory;
+        two_step::predict(forces, particles, memory, moment, split);
+        let LinesMemory { earlier, multipliers, pull, history, .. } = memory;
         let viscous = Viscous::damp(pull.as_mut(), *history, links, particles, &rule);
         let mut contacts = Contacts { colliders, start: start.as_ref(), earlier, moment: rule.moment };
-        let swept = self.sweep(links, particles, tension.as_mut(), &rule, &mut contacts, &budget);
+        let swept = self.sweep(links, particles, multipliers.as_mut(), &rule, &mut contacts, &budget);
         // fixed point holds no larger speeds than those of 512 substeps
         let calm = swept.count > budget.least && is_slow(particles, CALM, moment.shift.min(9));
         links.confine(particles, rule.moment);
@@ -292,13 +292,13 @@ impl Lines {
         &self,
         links: &L,
         particles: &mut Particles<S, W, H>,
-        tension: &mut [Grid<S, W, H>],
+        multipliers: &mut [Grid<S, W, H>],
         rule: &TimeRule<S>,
         contacts: &mut Contacts<'_, S, C, W, H>,
         budget: &Budget,
     ) -> Swept<S> {
-        let mut relax = Relax::new(particles, tension, rule.moment, rule.softness);
-        relax.set_aside();
+        aside::set_all_aside(particles, rule.moment);
+        let mut relax = Relax::new(particles, multipliers, rule.moment, rule.stiffness);
         relax.forget();
         // neither overstretched links nor light particles gain by shorter steps
         let none_is_light = relax.none_is_light;
@@ -314,7 +314,7 @@ impl Lines {
             (before, found) = (found, relax.sweep(links, false));
             count += 1;
         }
-        relax.complete();
+        aside::give_all_back(relax.particles, rule.moment);
         Swept {
             count,
             residual: found,
@@ -352,33 +352,4 @@ fn is_slow<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W
     let most = S::from_f64(cells).double(shift);
     let slow = |speeds: &[S; W]| speeds.iter().fold(S::ZERO, |most, speed| most.max(speed.abs())) < most;
     particles.velocity.0.iter().all(|row| slow(&row.x) && slow(&row.y) && slow(&row.z))
-}
-
-/// Moves a particle by a link. In fixed point its velocity is [set aside](relax::Relax::set_aside).
-#[inline(always)]
-fn displace<S: Scalar, const W: usize>(
-    position: &mut Vec3<[S; W]>,
-    velocity: &mut Vec3<[S; W]>,
-    column: usize,
-    by: Vec3<S>,
-    moment: Moment,
-) {
-    position.add(column, by);
-    if S::FLOATS {
-        velocity.add(column, moment.velocity(by));
-    }
-}
-
-/// Moves a row.
-#[inline(always)]
-fn displace_row<S: Scalar, const W: usize, const H: usize>(
-    particles: &mut Particles<S, W, H>,
-    row: usize,
-    by: impl Fn(usize) -> Vec3<S>,
-    moment: Moment,
-) {
-    let (position, velocity) = (&mut particles.position.0[row], &mut particles.velocity.0[row]);
-    for column in 0..W {
-        displace(position, velocity, column, by(column), moment);
-    }
 }

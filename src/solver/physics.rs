@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-use super::{force_sum, predict, sweep};
+use super::{force_sum, one_step, sweep};
 
 /// All that acts on a sheet.
 ///
@@ -74,7 +74,7 @@ impl<F, L, C> Physics<'_, F, L, C> {
     where
         L: Links<S>,
     {
-        predict::damp(self.links, particles);
+        one_step::damp(self.links, particles);
     }
 
     /// Moves particles as if nothing held them together, to where [`sweep`](Self::sweep) starts from: each that is free gets the velocity that `next` makes of its velocity
@@ -89,7 +89,7 @@ impl<F, L, C> Physics<'_, F, L, C> {
         F: Force<S>,
         L: Links<S>,
     {
-        predict::predict(self.forces, particles, next, sweep::go::<S, L>(moment));
+        one_step::predict(self.forces, particles, next, sweep::go::<S, L>(moment));
     }
 
     /// Projects every spring `parts` times, each time at one part in `parts` of its stiffness. Particles have been [predicted](Self::predict), and nothing else has moved

@@ -8,25 +8,18 @@ use crate::link::{Count, Family, Links, Quotient, Visitor, each_row, in_row};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::{Rest, Rounding, Scalar};
-use crate::solver::unit_mass;
+use crate::solver::{aside, unit_mass};
 use crate::vec3::Vec3;
 
 /// Lets a particle go with its velocity for a substep, to where [`sweeps`] start from.
 ///
-/// In fixed point, whose sums are exact, sweeps are of positions alone: velocities that take part in every correction and those that are
-/// completed at the end are the same. What is not the position's is set aside in the velocity's place.
+/// For sweeps its velocity is set [aside].
 #[inline(always)]
 pub(super) fn go<S: Scalar, L: Links<S>>(moment: Moment) -> impl Fn(Vec3<S>, Vec3<S>) -> [Vec3<S>; 2] {
     move |position, velocity| {
         let position = position + moment.displacement(velocity);
-        [
-            position,
-            if L::Directions::NUMBER > 0 && !S::FLOATS {
-                velocity - position.map(|x| moment.share(x))
-            } else {
-                velocity
-            },
-        ]
+        let is_swept = L::Directions::NUMBER > 0;
+        [position, if is_swept { aside::set_aside(velocity, position, moment) } else { velocity }]
     }
 }
 
@@ -46,13 +39,7 @@ pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     for _ in 0..parts {
         links.springs(&mut Project { particles, moment, rounding: moment.rounding(), part, unit_mass });
     }
-    if !S::FLOATS {
-        for (position, velocity) in particles.position.0.iter().zip(&mut particles.velocity.0) {
-            for column in 0..W {
-                velocity.set(column, velocity.at(column) + position.at(column).map(|x| moment.share(x)));
-            }
-        }
-    }
+    aside::give_all_back(particles, moment);
 }
 
 /// `1/parts`. More parts than fixed point counts are the reciprocal of so many 2ⁿths.
@@ -60,7 +47,7 @@ fn part_of<S: Scalar>(parts: u32) -> S {
     if parts == 1 {
         return S::ONE;
     }
-    if S::FLOATS || parts < 128 {
+    if parts < 128 {
         return S::from_int(parts as i32).recip();
     }
     let shift = 25 - parts.leading_zeros();
@@ -95,25 +82,21 @@ impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
         } else if wa + wb != S::ZERO {
             let d = self.particles.position.at(b) - self.particles.position.at(a);
             let part = strength.against(wa + wb);
-            if !S::FLOATS && part > S::ONE {
-                // between heavy particles: times their inverse masses it is a part again, which fixed point needs
-                self.displace(a, d.correction(rest, part * wa, self.rounding));
-                self.displace(b, -d.correction(rest, part * wb, self.rounding));
-            } else {
+            if part.is_within(S::ONE) {
                 let by = d.correction(rest, part, self.rounding);
                 self.displace(a, by * wa);
                 self.displace(b, -(by * wb));
+            } else {
+                // between heavy particles: times their inverse masses it is a part again, which fixed point needs
+                self.displace(a, d.correction(rest, part * wa, self.rounding));
+                self.displace(b, -d.correction(rest, part * wb, self.rounding));
             }
         }
     }
 
     #[inline(always)]
     fn displace(&mut self, node: Node, by: Vec3<S>) {
-        if S::FLOATS {
-            self.particles.displace(node, by, self.moment);
-        } else {
-            self.particles.position.add(node, by);
-        }
+        aside::displace_node(self.particles, node, by, self.moment);
     }
 }
 

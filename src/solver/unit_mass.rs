@@ -6,7 +6,7 @@ use crate::scalar::Scalar;
 /// The rows and columns of nothing but particles of mass 1, and the rows of nothing but pins.
 #[derive(Clone, Copy)]
 pub(super) struct UnitMass<const W: usize, const H: usize> {
-    pub(super) held: [bool; H],
+    pub(super) pinned: [bool; H],
     pub(super) rows: [bool; H],
     pub(super) columns: [bool; W],
 }
@@ -20,7 +20,7 @@ impl<const W: usize, const H: usize> UnitMass<W, H> {
     pub(super) fn new<S: Scalar>(particles: &Particles<S, W, H>) -> Self {
         let masses = &particles.inverse_mass.0;
         Self {
-            held: core::array::from_fn(|row| masses[row].iter().all(|&w| w == S::ZERO)),
+            pinned: core::array::from_fn(|row| masses[row].iter().all(|&w| w == S::ZERO)),
             rows: rows(particles),
             columns: core::array::from_fn(|column| (0..H).all(|row| masses[row][column] == S::ONE)),
         }

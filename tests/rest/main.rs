@@ -8,7 +8,7 @@ mod still;
 mod trembling;
 mod wake;
 
-use kerchief::rest::Memory;
+use kerchief::rest::RestingMemory;
 use kerchief::{
     BackwardEuler, Bend, Cloth, Damped, Drag, Gravity, Leapfrog, Lines, Moving, Node, Q13, Q24, Resting, Scalar, Scene,
     Shear, Solver, Sphere, Stillness, Stretch, Units, Vec3, Verlet, Xpbd,
@@ -69,7 +69,7 @@ fn every_solver(trial: &impl Trial) {
 fn settle<S: Scalar, V: Solver<S>>(
     scene: &Described<S, Resting<V>>,
     cloth: &mut Sheet<S>,
-    memory: &mut Memory<V::Memory<Springs<S>, SIDE, SIDE>, S, SIDE, SIDE>,
+    memory: &mut RestingMemory<V::Memory<Springs<S>, SIDE, SIDE>, S, SIDE, SIDE>,
     most: u32,
 ) -> Option<u32> {
     (1..=most).find(|_| {

@@ -2,14 +2,14 @@
 
 use core::mem;
 
-use kerchief::rest::Memory;
+use kerchief::rest::RestingMemory;
 use kerchief::solver::Stateless;
 use kerchief::{Gravity, Lines, Node, Q24, Resting, Vec3, Xpbd, measure};
 
 use crate::{DOWN, Described, SIDE, Sheet, UNITS, curtain, resting, settle};
 
 type Curtain = Described<Q24, Resting<Xpbd>>;
-type Remembered = Memory<Stateless<Q24, SIDE, SIDE>, Q24, SIDE, SIDE>;
+type Remembered = RestingMemory<Stateless<Q24, SIDE, SIDE>, Q24, SIDE, SIDE>;
 
 fn at_rest() -> (Curtain, Sheet<Q24>, Remembered) {
     let (scene, mut cloth) = curtain::<Q24, _>(resting(Xpbd));

@@ -103,7 +103,7 @@ impl<const N: usize, const FACES: usize> Likeness<N, FACES> {
     fn take<S: Scalar>(&mut self, particles: &Particles<S, N, N>) -> Fate {
         let mut next = Box::new(Particles::BLANK);
         copy(particles, &mut next);
-        let fate = self.fate_of(&next, if S::FLOATS { f64::INFINITY } else { S::LARGEST });
+        let fate = self.fate_of(&next, if S::EXACT_SUMS { S::LARGEST } else { f64::INFINITY });
         if fate == Fate::Moving {
             self.particles = next;
             self.list();

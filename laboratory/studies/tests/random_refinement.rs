@@ -160,7 +160,7 @@ fn is_excluded<S: Scalar>(method: Method, substeps: u32) -> bool {
 /// The runs that finer steps made worse.
 fn worse<S: Scalar>(scene: &Scene, model: &Model, start: &State, exact: &State) -> String {
     let mut found = String::new();
-    let accurate = if S::FLOATS { ACCURATE } else { ROUNDED };
+    let accurate = if S::EXACT_SUMS { ROUNDED } else { ACCURATE };
     for method in METHODS {
         if is_excluded::<S>(method, FINER * scene.substeps) {
             continue;

@@ -4,7 +4,7 @@
 //! from moving as a whole, and it flew away. So in fixed point residual and direction are counted in a unit in which the largest component lies between 1 and 2,
 //! and products in one of their own.
 
-use super::Memory;
+use super::BackwardEulerMemory;
 use crate::grid::each_node;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
@@ -34,11 +34,11 @@ const FAR: i32 = 5;
 
 /// Solves for `memory.step` what `multiply` makes `memory.residual` of it, with masses up to `heaviest`; the residual is used up.
 pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
-    memory: &mut Memory<S, W, H>,
+    memory: &mut BackwardEulerMemory<S, W, H>,
     heaviest: S,
     multiply: impl Fn(&Vectors<S, W, H>, &mut Vectors<S, W, H>),
 ) {
-    let Memory { step, residual, direction, product, .. } = memory;
+    let BackwardEulerMemory { step, residual, direction, product, .. } = memory;
     *step = Vectors::filled(Vec3::ZERO);
     *direction = *residual;
     let tolerance = S::from_f64(TOLERANCE * TOLERANCE);
@@ -50,7 +50,7 @@ pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
     // residual and direction count 2^-unit
     let mut unit = 0;
     for _ in 0..MOST_STEPS {
-        let lift = room(residual.largest().max(direction.largest()), large);
+        let lift = residual.largest().max(direction.largest()).headroom(large);
         if lift != 0 {
             unit += lift;
             raise(residual, lift);
@@ -58,15 +58,15 @@ pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
             squared = dot(residual, residual);
         }
         multiply(direction, product);
-        let lift = room(product.largest(), S::from_int(LARGE));
+        let lift = product.largest().headroom(S::from_int(LARGE));
         raise(product, lift);
         let curvature = dot(direction, product);
         if curvature <= S::EMPTY {
             break;
         }
         let length = S::quotient(squared, curvature);
-        let length = if S::FLOATS { length } else { length.min(long) };
-        if lift - unit > FAR + room(direction.largest() * length, S::from_int(LARGE)) {
+        let length = length.bounded(long);
+        if lift - unit > FAR + (direction.largest() * length).headroom(S::from_int(LARGE)) {
             break;
         }
         each_node::<W, H>(|node| {
@@ -76,7 +76,7 @@ pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
         let next = dot(residual, residual);
         let turn = S::quotient(next, squared);
         part = S::narrow(part.product(turn));
-        if is_round_off(residual, unit) || (!S::FLOATS && age > PATIENCE) || next <= S::EMPTY || part < tolerance {
+        if is_round_off(residual, unit) || (S::EXACT_SUMS && age > PATIENCE) || next <= S::EMPTY || part < tolerance {
             break;
         }
         age += 1;
@@ -85,7 +85,7 @@ pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
         }
         squared = next;
         // or all over again
-        let turn = if S::FLOATS || turn < long { turn } else { S::ZERO };
+        let turn = if turn.is_within(long) { turn } else { S::ZERO };
         each_node::<W, H>(|node| {
             direction.set(node, residual.at(node) + direction.at(node) * turn);
         });
@@ -98,24 +98,7 @@ fn dot<S: Scalar, const W: usize, const H: usize>(a: &Vectors<S, W, H>, b: &Vect
 
 /// Whether a residual that counts 2^-unit is round-off alone: in fixed point no more than three units of the last place.
 fn is_round_off<S: Scalar, const W: usize, const H: usize>(residual: &Vectors<S, W, H>, unit: i32) -> bool {
-    !S::FLOATS && residual.largest() <= S::from_f64(3.0 * S::RESOLUTION).double(unit.max(0) as u32)
-}
-
-/// How often fixed point doubles a number until another time would make it too large; how often it halves a larger one, below zero.
-fn room<S: Scalar>(mut most: S, large: S) -> i32 {
-    let mut room = 0;
-    if S::FLOATS || most <= S::ZERO {
-        return 0;
-    }
-    while most > large {
-        most = most.halve(1);
-        room -= 1;
-    }
-    while most.double(1) <= large {
-        most = most.double(1);
-        room += 1;
-    }
-    room
+    S::EXACT_SUMS && residual.largest() <= S::from_f64(3.0 * S::RESOLUTION).double(unit.max(0) as u32)
 }
 
 /// `v · 2^shift`

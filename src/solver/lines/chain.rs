@@ -6,7 +6,7 @@
 //! `(a·(w_i + w_{i+1}) + b)·μ_i − a·w_i·(n_{i−1}·n_i)·μ_{i−1} − a·w_{i+1}·(n_i·n_{i+1})·μ_{i+1} = |d_i| − L`.
 //!
 //! Elimination and substitution solve it ([`tridiagonal`](super::tridiagonal)), where Gauss–Seidel carries news one link a sweep. With equal masses and one end free the
-//! pivots stay between a·w and 2·a·w + b. Every chain goes through the same stages: gather what its links are, eliminate, substitute, move its particles, and ease what
+//! pivots stay between a·w and 2·a·w + b. Every chain goes through the same stages: gather what its links are, eliminate, substitute, move its particles, and correct what
 //! is [taut](super::geometric_stiffness).
 
 use crate::link::Quotient;
@@ -15,8 +15,8 @@ use crate::scalar::{Rest, Rounding, Scalar};
 use crate::solver::unit_mass::UnitMass;
 use crate::vectors::SIDE_BY_SIDE;
 
+use super::exponent::Exponent;
 use super::geometric_stiffness::TAUT;
-use super::heavy::Heavy;
 use super::regularise::harmless;
 
 /// Links of one kind.
@@ -26,14 +26,14 @@ pub(super) struct Chain<'a, S: Scalar, const W: usize, const H: usize> {
     pub(super) moment: Moment,
     pub(super) rounding: Rounding,
     pub(super) unit_mass: &'a UnitMass<W, H>,
-    pub(super) heavy: Heavy,
+    pub(super) exponent: Exponent,
     /// The least inverse mass over the largest that is more than 1.
     pub(super) span: S,
 }
 
 /// Whether products with masses are skipped where all are 1: not where they cost no more than looking.
 pub(super) const fn skips_masses<S: Scalar>() -> bool {
-    !(S::FLOATS && SIDE_BY_SIDE)
+    S::LOOKING_PAYS || !SIDE_BY_SIDE
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
@@ -42,16 +42,16 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     #[inline(always)]
     pub(super) fn own(&self) -> S {
         let dividend = self.strength.dividend;
-        if S::FLOATS { dividend + S::from_f64(4.0 * S::RESOLUTION) } else { dividend }
+        if S::EXACT_SUMS { dividend } else { dividend + S::from_f64(4.0 * S::RESOLUTION) }
     }
 
     /// How multipliers are scaled: not at all where all masses are 1.
     #[inline(always)]
-    pub(super) fn heavy<const UNIT_MASS: bool>(&self) -> Heavy {
-        if UNIT_MASS { Heavy::NONE } else { self.heavy }
+    pub(super) fn exponent<const UNIT_MASS: bool>(&self) -> Exponent {
+        if UNIT_MASS { Exponent::NONE } else { self.exponent }
     }
 
-    /// The divisor in the coefficients of a chain of `M` particles whose largest residual is `worst`, in the unit of multipliers: larger where they are held back.
+    /// The divisor in the coefficients of a chain of `M` particles whose largest residual is `worst`, in the unit of multipliers: larger where they are regularised.
     #[inline(always)]
     pub(super) fn divisor<const UNIT_MASS: bool, const M: usize>(
         &self,
@@ -59,13 +59,13 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         regularisation: impl FnOnce() -> S,
     ) -> S {
         let span = if UNIT_MASS { S::ONE } else { self.span };
-        let divisor = self.heavy::<UNIT_MASS>().scaled(self.strength.divisor);
-        if S::FLOATS || worst <= harmless::<S, M>(span) { divisor } else { divisor.max(regularisation()) }
+        let divisor = self.exponent::<UNIT_MASS>().scaled(self.strength.divisor);
+        if worst.is_within(harmless::<S, M>(span)) { divisor } else { divisor.max(regularisation()) }
     }
 
     /// Whether a chain whose largest multiplier this is has a tension that shakes it.
     #[inline(always)]
-    pub(super) fn is_taut(&self, most: S, heavy: Heavy) -> bool {
-        most.scaled(self.strength.dividend) > heavy.bound(self.rest.length * S::from_f64(TAUT))
+    pub(super) fn is_taut(&self, most: S, exponent: Exponent) -> bool {
+        most.scaled(self.strength.dividend) > exponent.bound(self.rest.length * S::from_f64(TAUT))
     }
 }

@@ -8,12 +8,12 @@ use heapless::Vec;
 use crate::grid::Grid;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
+use crate::solver::aside::displace;
 use crate::vec3::Vec3;
 
 use super::chain::{Chain, skips_masses};
-use super::displace;
+use super::exponent::Exponent;
 use super::geometric_stiffness::geometric_stiffness;
-use super::heavy::Heavy;
 use super::place::{Place, each_diagonal};
 use super::regularise::regularisation;
 use super::tridiagonal::{Eliminated, times};
@@ -34,34 +34,39 @@ struct Link<S, const N: usize> {
 type Links<S, const N: usize, const H: usize> = Vec<Link<S, N>, H>;
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
-    /// Solves every column. Returns the largest residual of those that were held back, which are far from solved.
+    /// Solves every column. Returns the largest residual of those that were regularised, which are far from solved.
     #[inline(never)] // one for all scenes of a grid
-    pub(super) fn columns(&self, particles: &mut Particles<S, W, H>, tension: &mut Grid<S, W, H>) -> S {
+    pub(super) fn columns(&self, particles: &mut Particles<S, W, H>, multipliers: &mut Grid<S, W, H>) -> S {
         let (mut column, mut unsolved) = (0, S::ZERO);
         // where products depend on the masses of a column, every machine looks at one
         if const { !skips_masses::<S>() } {
             while column + LANES <= W {
-                unsolved = unsolved.max(self.some::<LANES>(particles, column, tension));
+                unsolved = unsolved.max(self.some::<LANES>(particles, column, multipliers));
                 column += LANES;
             }
             while column + 4 <= W {
-                unsolved = unsolved.max(self.some::<4>(particles, column, tension));
+                unsolved = unsolved.max(self.some::<4>(particles, column, multipliers));
                 column += 4;
             }
         }
         while column < W {
-            unsolved = unsolved.max(self.some::<1>(particles, column, tension));
+            unsolved = unsolved.max(self.some::<1>(particles, column, multipliers));
             column += 1;
         }
         unsolved
     }
 
-    fn some<const N: usize>(&self, particles: &mut Particles<S, W, H>, first: usize, tension: &mut Grid<S, W, H>) -> S {
+    fn some<const N: usize>(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        first: usize,
+        multipliers: &mut Grid<S, W, H>,
+    ) -> S {
         let place = Place { top: 0, first, count: H, slant: 0 };
         if const { skips_masses::<S>() } {
-            self.one(particles, place, tension, self.unit_mass.columns[first.min(W - 1)])
+            self.one(particles, place, multipliers, self.unit_mass.columns[first.min(W - 1)])
         } else {
-            self.side_by_side::<N, false, false>(particles, place, tension)
+            self.side_by_side::<N, false, false>(particles, place, multipliers)
         }
     }
 
@@ -70,33 +75,39 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         &self,
         particles: &mut Particles<S, W, H>,
         colour: usize,
-        tension: &mut Grid<S, W, H>,
+        multipliers: &mut Grid<S, W, H>,
     ) -> S {
         let mut unsolved = S::ZERO;
         each_diagonal::<W, H>(colour, |place| {
             let inverse_mass = |k: usize| particles.inverse_mass.0[place.row::<H>(k)][place.column::<1, W>(k)];
             let unit_mass = (0..place.count).all(|k| inverse_mass(k) == S::ONE);
-            unsolved = unsolved.max(self.one(particles, place, tension, unit_mass));
+            unsolved = unsolved.max(self.one(particles, place, multipliers, unit_mass));
         });
         unsolved
     }
 
     /// Solves one chain, whose particles may all have mass 1.
-    fn one(&self, particles: &mut Particles<S, W, H>, place: Place, tension: &mut Grid<S, W, H>, unit_mass: bool) -> S {
+    fn one(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        place: Place,
+        multipliers: &mut Grid<S, W, H>,
+        unit_mass: bool,
+    ) -> S {
         if unit_mass {
-            self.side_by_side::<1, true, true>(particles, place, tension)
+            self.side_by_side::<1, true, true>(particles, place, multipliers)
         } else {
-            self.side_by_side::<1, false, true>(particles, place, tension)
+            self.side_by_side::<1, false, true>(particles, place, multipliers)
         }
     }
 
-    /// Solves `N` chains. Returns their largest residual where they were held back.
+    /// Solves `N` chains. Returns their largest residual where they were regularised.
     #[inline(never)] // so that sheet and multipliers are known to be apart
     fn side_by_side<const N: usize, const UNIT_MASS: bool, const ANYWHERE: bool>(
         &self,
         particles: &mut Particles<S, W, H>,
         place: Place,
-        tension: &mut Grid<S, W, H>,
+        multipliers: &mut Grid<S, W, H>,
     ) -> S {
         // columns' extent is known when this is compiled
         let place = if ANYWHERE { place } else { Place { top: 0, count: H, slant: 0, ..place } };
@@ -104,33 +115,33 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         if N > W || first > W - N || count > H || top > H - count {
             return S::ZERO; // said once, no column needs to be looked for
         }
-        let heavy = self.heavy::<UNIT_MASS>();
+        let exponent = self.exponent::<UNIT_MASS>();
         let mut links = Links::<S, N, H>::new();
-        let worst = self.gather_some(&mut links, particles, place, tension, heavy);
+        let worst = self.gather_some(&mut links, particles, place, multipliers, exponent);
         let divisor = (0..N).fold(S::ZERO, |divisor, lane| {
-            let added = || Self::regularisation_of(&links, particles, place, lane, heavy);
+            let added = || Self::regularisation_of(&links, particles, place, lane, exponent);
             divisor.max(self.divisor::<UNIT_MASS, H>(worst, added))
         });
         self.eliminate_some::<N, UNIT_MASS>(&mut links, particles, place, divisor);
-        let most = self.substitute_some::<N, UNIT_MASS>(&mut links, particles, place, tension);
+        let most = self.substitute_some::<N, UNIT_MASS>(&mut links, particles, place, multipliers);
         for lane in 0..N {
-            if self.is_taut(most[lane], heavy) {
-                self.ease_one(&links, particles, place, lane, heavy);
+            if self.is_taut(most[lane], exponent) {
+                self.correct_one(&links, particles, place, lane, exponent);
             }
         }
-        let is_regularised = divisor > heavy.scaled(self.strength.divisor);
+        let is_regularised = divisor > exponent.scaled(self.strength.divisor);
         if is_regularised { worst } else { S::ZERO }
     }
 
-    /// Gathers the links of chains. Returns the largest residual, which only fixed point asks for.
+    /// Gathers the links of chains. Returns the largest residual.
     #[inline(always)]
     fn gather_some<const N: usize>(
         &self,
         links: &mut Links<S, N, H>,
         particles: &Particles<S, W, H>,
         place: Place,
-        tension: &Grid<S, W, H>,
-        heavy: Heavy,
+        multipliers: &Grid<S, W, H>,
+        exponent: Exponent,
     ) -> S {
         let mut worst = S::ZERO;
         // pushed one by one, so that none has to be written twice
@@ -141,10 +152,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             for lane in 0..N {
                 let [here, next] = [place.column::<N, W>(k) + lane, place.column::<N, W>(k + 1) + lane];
                 let (excess, normal) = (y.at(next) - x.at(here)).direction(self.rest);
-                let residual = excess - heavy.scaled(self.strength.times_divisor(tension.0[above][here]));
-                if !S::FLOATS {
-                    worst = worst.max(residual.abs());
-                }
+                let residual = excess - exponent.scaled(self.strength.times_divisor(multipliers.0[above][here]));
+                worst = worst.max(residual.abs());
                 link.normal.set(lane, normal);
                 link.change[lane] = residual;
             }
@@ -162,7 +171,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         place: Place,
         divisor: S,
     ) {
-        let (own, heavy) = (self.own(), self.heavy::<UNIT_MASS>());
+        let (own, exponent) = (self.own(), self.exponent::<UNIT_MASS>());
         let mut above = [Eliminated::NONE; N];
         let mut before = Vec3::<[S; N]>::row(Vec3::ZERO);
         for (k, link) in links.iter_mut().enumerate() {
@@ -173,8 +182,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 let (coupling, inverse_mass) = if UNIT_MASS {
                     (coupling, S::ONE + S::ONE)
                 } else {
-                    let here = heavy.scaled(u[place.column::<N, W>(k) + lane]);
-                    let next = heavy.scaled(v[place.column::<N, W>(k + 1) + lane]);
+                    let here = exponent.scaled(u[place.column::<N, W>(k) + lane]);
+                    let next = exponent.scaled(v[place.column::<N, W>(k + 1) + lane]);
                     (coupling * here, here + next)
                 };
                 let diagonal = inverse_mass * own + divisor;
@@ -192,12 +201,12 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         links: &mut Links<S, N, H>,
         particles: &mut Particles<S, W, H>,
         place: Place,
-        tension: &mut Grid<S, W, H>,
+        multipliers: &mut Grid<S, W, H>,
     ) -> [S; N] {
         let [mut change, mut factor, mut most] = [[S::ZERO; N]; 3];
         let mut below = Vec3::<[S; N]>::row(Vec3::ZERO);
         for (k, link) in links.iter_mut().enumerate().rev() {
-            let tension = &mut tension.0[place.row::<H>(k)];
+            let multipliers = &mut multipliers.0[place.row::<H>(k)];
             let (mut pull, mut by) = (below, below);
             for lane in 0..N {
                 change[lane] = link.change[lane] + times::<UNIT_MASS, S, S>(change[lane], factor[lane]);
@@ -211,7 +220,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             }
             for lane in 0..N {
                 let column = place.column::<N, W>(k) + lane;
-                tension[column] = tension[column].difference(-change[lane]); // does not wrap
+                multipliers[column] = multipliers[column].difference(-change[lane]); // does not wrap
             }
             self.displace_some::<N, UNIT_MASS>(particles, place, k + 1, by);
             (below, factor) = (pull, link.factor);
@@ -229,13 +238,13 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         k: usize,
         by: Vec3<[S; N]>,
     ) {
-        let (row, heavy) = (place.row::<H>(k), self.heavy::<UNIT_MASS>());
+        let (row, exponent) = (place.row::<H>(k), self.exponent::<UNIT_MASS>());
         let w = &particles.inverse_mass.0[row];
         let (x, v) = (&mut particles.position.0[row], &mut particles.velocity.0[row]);
         for lane in 0..N {
             let column = place.column::<N, W>(k) + lane;
             let by = by.at(lane);
-            displace(x, v, column, if UNIT_MASS { by } else { by * heavy.scaled(w[column]) }, self.moment);
+            displace(x, v, column, if UNIT_MASS { by } else { by * exponent.scaled(w[column]) }, self.moment);
         }
     }
 
@@ -247,23 +256,23 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         particles: &Particles<S, W, H>,
         place: Place,
         lane: usize,
-        heavy: Heavy,
+        exponent: Exponent,
     ) -> S {
         let lane = lane.min(N - 1);
         let mut residual = [S::ZERO; H];
         residual.iter_mut().zip(links).for_each(|(residual, link)| *residual = link.change[lane]);
-        regularisation(&residual, &Self::inverse_masses(particles, place, lane, heavy), place.count)
+        regularisation(&residual, &Self::inverse_masses(particles, place, lane, exponent), place.count)
     }
 
-    /// Eases one of some chains.
+    /// Adds to one of some chains what its tension does across it.
     #[inline(never)] // few chains are that taut
-    fn ease_one<const N: usize>(
+    fn correct_one<const N: usize>(
         &self,
         links: &[Link<S, N>],
         particles: &mut Particles<S, W, H>,
         place: Place,
         lane: usize,
-        heavy: Heavy,
+        exponent: Exponent,
     ) {
         let lane = lane.min(N - 1);
         let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
@@ -272,20 +281,21 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             normal.set(k, link.normal.at(lane));
             change[k] = link.change[lane];
         }
-        self.add_geometric_stiffness(particles, place, lane, (&normal, &change), heavy);
+        self.add_geometric_stiffness(particles, place, lane, (&normal, &change), exponent);
     }
 
-    fn inverse_masses(particles: &Particles<S, W, H>, place: Place, lane: usize, heavy: Heavy) -> [S; H] {
+    fn inverse_masses(particles: &Particles<S, W, H>, place: Place, lane: usize, exponent: Exponent) -> [S; H] {
         core::array::from_fn(|k| {
             if k < place.count {
-                heavy.scaled(particles.inverse_mass.0[place.row::<H>(k)][(place.column::<1, W>(k) + lane).min(W - 1)])
+                exponent
+                    .scaled(particles.inverse_mass.0[place.row::<H>(k)][(place.column::<1, W>(k) + lane).min(W - 1)])
             } else {
                 S::ZERO
             }
         })
     }
 
-    /// Eases one of some chains, whose links have these directions and changes of multipliers.
+    /// The same, for links of these directions and changes of multipliers.
     #[inline(never)] // few chains are that taut
     pub(super) fn add_geometric_stiffness(
         &self,
@@ -293,11 +303,11 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         place: Place,
         lane: usize,
         (normal, changes): (&Vec3<[S; H]>, &[S; H]),
-        heavy: Heavy,
+        exponent: Exponent,
     ) {
-        let tension = changes.map(|change| self.strength.times_dividend(change));
-        let w = Self::inverse_masses(particles, place, lane, heavy);
-        let by = geometric_stiffness(normal, &tension, &w, place.count, self.rest.inverse, heavy);
+        let tensions = changes.map(|change| self.strength.times_dividend(change));
+        let w = Self::inverse_masses(particles, place, lane, exponent);
+        let by = geometric_stiffness(normal, &tensions, &w, place.count, self.rest.inverse, exponent);
         for k in 0..place.count.min(H) {
             let (row, column) = (place.row::<H>(k), (place.column::<1, W>(k) + lane).min(W - 1));
             displace(&mut particles.position.0[row], &mut particles.velocity.0[row], column, by.at(k), self.moment);

@@ -12,6 +12,7 @@ use crate::grid::Node;
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
+use crate::solver::aside::{give_back, set_aside};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
@@ -56,18 +57,39 @@ fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
         moment,
         |particles, node| particles.position.at(node) - start.at(node),
         |particles, node, contact| {
-            let share = |position: Vec3<S>| {
-                if aside && !S::FLOATS { position.map(|x| moment.share(x)) } else { Vec3::ZERO }
-            };
-            let position = particles.position.at(node);
-            let velocity = particles.velocity.at(node) + share(position);
+            let velocity = velocity(particles, node, moment, aside);
             let by = impulse(&contact, velocity, moment);
-            let position = position + contact.by;
-            particles.position.set(node, position);
-            particles.velocity.set(node, velocity + by - share(position));
+            let position = particles.position.at(node) + contact.by;
+            place(particles, node, position, velocity + by, moment, aside);
             earlier.add(node, by);
         },
     );
+}
+
+/// A particle's velocity, which may be set `aside`.
+#[inline(always)]
+fn velocity<S: Scalar, const W: usize, const H: usize>(
+    particles: &Particles<S, W, H>,
+    node: Node,
+    moment: Moment,
+    aside: bool,
+) -> Vec3<S> {
+    let velocity = particles.velocity.at(node);
+    if aside { give_back(velocity, particles.position.at(node), moment) } else { velocity }
+}
+
+/// Gives a particle a position and a velocity, to be set `aside` or not.
+#[inline(always)]
+fn place<S: Scalar, const W: usize, const H: usize>(
+    particles: &mut Particles<S, W, H>,
+    node: Node,
+    position: Vec3<S>,
+    velocity: Vec3<S>,
+    moment: Moment,
+    aside: bool,
+) {
+    particles.position.set(node, position);
+    particles.velocity.set(node, if aside { set_aside(velocity, position, moment) } else { velocity });
 }
 
 /// How far particles come together in a substep that hit each other, cells. Slower ones lie on each other.
@@ -94,11 +116,9 @@ impl<S: Scalar, const W: usize, const H: usize> Meeting<S, W, H> for TwoStep<'_,
 
     #[inline(always)]
     fn separate(&mut self, particles: &mut Particles<S, W, H>, [i, j]: [Node; 2], contact: &Contact<S>) {
-        let share = |position: Vec3<S>| {
-            if self.aside && !S::FLOATS { position.map(|x| self.moment.share(x)) } else { Vec3::ZERO }
-        };
+        let Self { moment, aside, .. } = *self;
         let masses = [i, j].map(|node| particles.inverse_mass[node]);
-        let [velocity, surface] = [i, j].map(|node| particles.velocity.at(node) + share(particles.position.at(node)));
+        let [velocity, surface] = [i, j].map(|node| self::velocity(particles, node, moment, aside));
         let [to_i, to_j] = shared(contact.by, masses);
         let approach = (surface - velocity).dot(contact.normal);
         let fast = self.moment.halves != 2 && approach.halve(self.moment.shift) > S::from_f64(IMPACT);
@@ -110,8 +130,7 @@ impl<S: Scalar, const W: usize, const H: usize> Meeting<S, W, H> for TwoStep<'_,
         let [gain_i, gain_j] = shared(gain, masses);
         for (node, velocity, to, gain) in [(i, velocity, to_i, gain_i), (j, surface, -to_j, -gain_j)] {
             let position = particles.position.at(node) + to;
-            particles.position.set(node, position);
-            particles.velocity.set(node, velocity + gain - share(position));
+            place(particles, node, position, velocity + gain, moment, aside);
             if fast {
                 self.earlier.add(node, gain);
             }

@@ -14,25 +14,25 @@ use heapless::Vec;
 use crate::grid::Grid;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
+use crate::solver::aside::displace_row;
 use crate::vec3::Vec3;
 
 use super::chain::{Chain, skips_masses};
-use super::displace_row;
-use super::heavy::Heavy;
+use super::exponent::Exponent;
 use super::place::each_diagonal;
 use super::tridiagonal::Eliminated;
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
-    /// Solves every diagonal. Returns the largest residual of those that were held back, which are far from solved.
+    /// Solves every diagonal. Returns the largest residual of those that were regularised, which are far from solved.
     #[inline(never)] // one for all scenes of a grid
-    pub(super) fn diagonals(&self, particles: &mut Particles<S, W, H>, tension: [&mut Grid<S, W, H>; 2]) -> S {
+    pub(super) fn diagonals(&self, particles: &mut Particles<S, W, H>, multipliers: [&mut Grid<S, W, H>; 2]) -> S {
         let mut unsolved = S::ZERO;
         if W > 1 && H > 1 {
-            for (colour, tension) in tension.into_iter().enumerate() {
+            for (colour, multipliers) in multipliers.into_iter().enumerate() {
                 if const { skips_masses::<S>() } {
-                    unsolved = unsolved.max(self.diagonals_one_by_one(particles, colour, tension));
+                    unsolved = unsolved.max(self.diagonals_one_by_one(particles, colour, multipliers));
                 } else {
-                    self.diagonals_at_once(particles, colour, tension);
+                    self.diagonals_at_once(particles, colour, multipliers);
                 }
             }
         }
@@ -41,37 +41,37 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     /// Solves the diagonals of one colour, in floats.
     #[inline(never)] // so that sheet and multipliers are known to be apart
-    fn diagonals_at_once(&self, particles: &mut Particles<S, W, H>, colour: usize, tension: &mut Grid<S, W, H>) {
+    fn diagonals_at_once(&self, particles: &mut Particles<S, W, H>, colour: usize, multipliers: &mut Grid<S, W, H>) {
         let mut above = Above { normal: Vec3::row(Vec3::ZERO), per_pivot: [S::ZERO; W], right: [S::ZERO; W] };
         // pushed one by one, so that none has to be written twice
         let mut links = Vec::<Links<S, W>, H>::new();
         for row in 1..H {
             let [x, y] = [row - 1, row].map(|row| &particles.position.0[row]);
             let [u, v] = [row - 1, row].map(|row| &particles.inverse_mass.0[row]);
-            let tension = &tension.0[row - 1];
+            let multipliers = &multipliers.0[row - 1];
             let row = if (row + colour) % 2 == 1 {
-                self.eliminate::<0>(&mut above, [x, y], [u, v], tension)
+                self.eliminate::<0>(&mut above, [x, y], [u, v], multipliers)
             } else {
-                self.eliminate::<1>(&mut above, [x, y], [u, v], tension)
+                self.eliminate::<1>(&mut above, [x, y], [u, v], multipliers)
             };
             _ = links.push(row); // there is room for all
         }
         let mut factor = [S::ZERO; W];
         let mut below = Below { change: [S::ZERO; W], pull: Vec3::row(Vec3::ZERO), most: [S::ZERO; W] };
         for (row, links) in (1..H).zip(&mut links).rev() {
-            let tension = &mut tension.0[row - 1];
+            let multipliers = &mut multipliers.0[row - 1];
             let by = if (row + colour) % 2 == 1 {
-                self.substitute::<0>(&mut below, &factor, links, tension)
+                self.substitute::<0>(&mut below, &factor, links, multipliers)
             } else {
-                self.substitute::<1>(&mut below, &factor, links, tension)
+                self.substitute::<1>(&mut below, &factor, links, multipliers)
             };
             factor = links.factor;
             self.displace(particles, row, by);
         }
         self.displace(particles, 0, below.pull);
         let most = below.most.iter().fold(S::ZERO, |most, lane| most.max(*lane));
-        if self.is_taut(most, Heavy::NONE) {
-            self.ease_diagonals(particles, colour, &links);
+        if self.is_taut(most, Exponent::NONE) {
+            self.correct_diagonals(particles, colour, &links);
         }
     }
 
@@ -82,7 +82,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         above: &mut Above<S, W>,
         [x, y]: [&Vec3<[S; W]>; 2],
         [u, v]: [&[S; W]; 2],
-        tension: &[S; W],
+        multipliers: &[S; W],
     ) -> Links<S, W> {
         let (dividend, divisor) = (self.strength.dividend, self.strength.divisor);
         let own = self.own();
@@ -91,7 +91,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         let mut normal = Vec3::row(Vec3::ZERO);
         for lane in 0..W {
             let (excess, along) = (ends.at(lane) - x.at(lane)).direction(self.rest);
-            change[lane] = excess - self.strength.times_divisor(tension[lane]);
+            change[lane] = excess - self.strength.times_divisor(multipliers[lane]);
             normal.set(lane, along);
         }
         for lane in alone::<W>(PARITY) {
@@ -121,7 +121,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         below: &mut Below<S, W>,
         factor: &[S; W],
         links: &mut Links<S, W>,
-        tension: &mut [S; W],
+        multipliers: &mut [S; W],
     ) -> Vec3<[S; W]> {
         let mut part = [S::ZERO; W];
         for lane in 0..W {
@@ -134,7 +134,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             links.change[lane] = change;
             below.change[lane] = change;
             below.most[lane] = below.most[lane].max(change);
-            tension[lane] += change;
+            multipliers[lane] += change;
             pull.set(lane, links.normal.at(lane).of_length(self.strength.times_dividend(change), self.rounding));
         }
         let above = pull.components(crossed::<PARITY, S, W>);
@@ -152,9 +152,9 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         displace_row(particles, row, |column| by.at(column) * w[column], self.moment);
     }
 
-    /// Eases those diagonals of one colour that are taut, whose links have these directions and changes of multipliers.
+    /// Adds to the taut diagonals of one colour what their tension does across them, for links of these directions and changes of multipliers.
     #[inline(never)] // few are that taut
-    fn ease_diagonals(&self, particles: &mut Particles<S, W, H>, colour: usize, links: &[Links<S, W>]) {
+    fn correct_diagonals(&self, particles: &mut Particles<S, W, H>, colour: usize, links: &[Links<S, W>]) {
         each_diagonal::<W, H>(colour, |place| {
             let mut normal: Vec3<[S; H]> = Vec3::row(Vec3::ZERO);
             let mut change = [S::ZERO; H];
@@ -165,8 +165,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 change[k] = links.change[lane];
                 most = most.max(change[k]);
             }
-            if self.is_taut(most, Heavy::NONE) {
-                self.add_geometric_stiffness(particles, place, 0, (&normal, &change), Heavy::NONE);
+            if self.is_taut(most, Exponent::NONE) {
+                self.add_geometric_stiffness(particles, place, 0, (&normal, &change), Exponent::NONE);
             }
         });
     }
@@ -248,29 +248,29 @@ mod tests {
         act: impl FnOnce(&Chain<'_, S, W, H>, &mut Particles<S, W, H>) -> T,
     ) -> T {
         let unit_mass = UnitMass::new(particles);
-        let (heavy, span, _) = Heavy::new(particles, &unit_mass.rows);
+        let (exponent, span, _) = Exponent::new(particles, &unit_mass.rows);
         let rest = Rest::spanning(S::ONE, S::ONE);
         let strength = Quotient { dividend: S::ONE, divisor: S::from_f64(1e-3) };
         let (moment, rounding) = (MOMENT, MOMENT.rounding());
-        act(&Chain { rest: &rest, strength, moment, rounding, unit_mass: &unit_mass, heavy, span }, particles)
+        act(&Chain { rest: &rest, strength, moment, rounding, unit_mass: &unit_mass, exponent, span }, particles)
     }
 
     fn both_ways<const W: usize, const H: usize>() {
         let run = |at_once: bool| {
             let mut particles = crumpled::<f32, W, H>(false);
-            let mut tension = [Grid::filled(0.0); 2];
+            let mut multipliers = [Grid::filled(0.0); 2];
             with_chain(&mut particles, |chain, particles| {
                 for _ in 0..3 {
-                    for (colour, tension) in tension.iter_mut().enumerate() {
+                    for (colour, multipliers) in multipliers.iter_mut().enumerate() {
                         if at_once {
-                            chain.diagonals_at_once(particles, colour, tension);
+                            chain.diagonals_at_once(particles, colour, multipliers);
                         } else {
-                            chain.diagonals_one_by_one(particles, colour, tension);
+                            chain.diagonals_one_by_one(particles, colour, multipliers);
                         }
                     }
                 }
             });
-            (particles, tension)
+            (particles, multipliers)
         };
         assert!(run(true) == run(false), "{W} × {H}");
     }
@@ -318,11 +318,11 @@ mod tests {
     fn diagonals_of_a_colour_are_solved_at_once() {
         fn check<S: Scalar>() {
             let mut particles = crumpled::<S, 7, 9>(false);
-            let mut tension = [Grid::filled(S::ZERO); 2];
+            let mut multipliers = [Grid::filled(S::ZERO); 2];
             with_chain(&mut particles, |chain, particles| {
                 let before = strain(particles, 1);
                 for _ in 0..4 {
-                    let [black, white] = &mut tension;
+                    let [black, white] = &mut multipliers;
                     chain.diagonals(particles, [black, white]);
                 }
                 // the last ones; what the first pass left is that links turn

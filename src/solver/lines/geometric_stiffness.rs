@@ -12,10 +12,10 @@
 use crate::scalar::{Rounding, Scalar};
 use crate::vec3::Vec3;
 
-use super::heavy::Heavy;
+use super::exponent::Exponent;
 use super::tridiagonal::Eliminated;
 
-/// The tension from which on a chain is eased, rest lengths. A zigzag calls for 0.31; with less than a half, chains are eased that don't shake, which costs accuracy.
+/// The tension from which on a chain is corrected, rest lengths. A zigzag calls for 0.31; with less than a half, chains are corrected that don't shake, which costs accuracy.
 pub(super) const TAUT: f64 = 0.5;
 
 /// Tensions in the matrix, rest lengths: more do nothing more, and fixed point holds these.
@@ -30,13 +30,13 @@ pub(super) fn geometric_stiffness<S: Scalar, const M: usize>(
     inverse_mass: &[S; M],
     count: usize,
     inverse_length: S,
-    heavy: Heavy,
+    exponent: Exponent,
 ) -> Vec3<[S; M]> {
     let count = count.min(M);
     let mut across: Vec3<[S; M]> = Vec3::row(Vec3::ZERO);
     let mut by = across;
     let mut factor = [S::ZERO; M];
-    let most = heavy.bound(S::from_int(MOST));
+    let most = exponent.bound(S::from_int(MOST));
     let mut above = Eliminated::NONE;
     let (mut pull, mut direction, mut a, mut f) = (Vec3::ZERO, Vec3::ZERO, S::ZERO, S::ZERO);
     for k in 0..count {
@@ -92,7 +92,7 @@ mod tests {
         }
         let tensions = core::array::from_fn(|k| if k + 1 < M { S::from_f64(tension) } else { S::ZERO });
         let w = core::array::from_fn(|k| if free(k) { S::ONE } else { S::ZERO });
-        let by = geometric_stiffness(&normal, &tensions, &w, M, S::ONE, Heavy::NONE);
+        let by = geometric_stiffness(&normal, &tensions, &w, M, S::ONE, Exponent::NONE);
         core::array::from_fn(|k| {
             let pull = |k: usize| tension * normal.at(k).to_f64()[1];
             let pulled = if free(k) { pull(k) - pull(k - 1) } else { 0.0 };
@@ -129,12 +129,14 @@ mod tests {
     #[test]
     fn a_straight_chain_and_a_folded_one_are_left_alone() {
         let mut normal: Vec3<[f64; 3]> = Vec3::row(Vec3::from_f64([1.0, 0.0, 0.0]));
-        assert!((0..3).all(
-            |k| geometric_stiffness(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 3, 1.0, Heavy::NONE).at(k) == Vec3::ZERO
-        ));
+        assert!(
+            (0..3).all(|k| geometric_stiffness(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 3, 1.0, Exponent::NONE).at(k)
+                == Vec3::ZERO)
+        );
         normal.set(1, Vec3::from_f64([-0.1, -0.99, 0.0]));
-        assert!((0..3).all(
-            |k| geometric_stiffness(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 3, 1.0, Heavy::NONE).at(k) == Vec3::ZERO
-        ));
+        assert!(
+            (0..3).all(|k| geometric_stiffness(&normal, &[2.0, 3.0, 0.0], &[1.0; 3], 3, 1.0, Exponent::NONE).at(k)
+                == Vec3::ZERO)
+        );
     }
 }

@@ -11,22 +11,22 @@ use crate::link::{Family, Quotient};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::{Rest, Rounding, Scalar};
+use crate::solver::aside::displace_row;
 use crate::vec3::Vec3;
 use crate::vectors::{ahead, behind, columns, left, right};
 
-use super::displace_row;
-use super::heavy::Heavy;
+use super::exponent::Exponent;
 
 /// Links of one kind.
 pub(super) struct Pairs<'a, S: Scalar, const H: usize> {
     rest: &'a Rest<S>,
     strength: Quotient<S>,
-    /// 1/(2·a + b), of two particles of mass 1.
-    softness: S,
+    /// Of two particles of mass 1, 1/(2·a + b).
+    effective_mass: S,
     moment: Moment,
     rounding: Rounding,
     unit_mass: &'a [bool; H],
-    heavy: Heavy,
+    exponent: Exponent,
 }
 
 impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
@@ -36,10 +36,10 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         moment: Moment,
         rounding: Rounding,
         unit_mass: &'a [bool; H],
-        heavy: Heavy,
+        exponent: Exponent,
     ) -> Self {
-        let softness = (strength.dividend + strength.dividend + strength.divisor).recip();
-        Self { rest: &family.rest, strength, softness, moment, rounding, unit_mass, heavy }
+        let effective_mass = (strength.dividend + strength.dividend + strength.divisor).recip();
+        Self { rest: &family.rest, strength, effective_mass, moment, rounding, unit_mass, exponent }
     }
 
     /// Links between particles that are `ACROSS` columns apart.
@@ -47,7 +47,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     pub(super) fn row<const ACROSS: usize, const W: usize>(
         &self,
         particles: &mut Particles<S, W, H>,
-        mut tension: Option<&mut Grid<S, W, H>>,
+        mut multipliers: Option<&mut Grid<S, W, H>>,
     ) {
         if W <= ACROSS {
             return;
@@ -56,12 +56,12 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         for row in 0..H {
             let (x, w) = (&particles.position.0[row], &particles.inverse_mass.0[row]);
             let mut none = [S::ZERO; W];
-            let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
-            let softness = self.softness([row; 2], [w, w], left::<ACROSS, S, W>);
-            let mut pull = self.pull::<W>(links.clone(), x, ahead::<ACROSS, S, W>(x), &softness, tension);
-            without_last::<ACROSS, S, W>(&mut pull, tension);
+            let multipliers = multipliers.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
+            let effective_mass = self.effective_mass([row; 2], [w, w], left::<ACROSS, S, W>);
+            let mut pull = self.pull::<W>(links.clone(), x, ahead::<ACROSS, S, W>(x), &effective_mass, multipliers);
+            without_last::<ACROSS, S, W>(&mut pull, multipliers);
             let before = behind::<ACROSS, S, W>(&pull);
-            self.displace(particles, row, &softness, |column| pull.at(column) - before(column));
+            self.displace(particles, row, &effective_mass, |column| pull.at(column) - before(column));
         }
     }
 
@@ -70,18 +70,18 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     pub(super) fn column<const DOWN: usize, const W: usize>(
         &self,
         particles: &mut Particles<S, W, H>,
-        mut tension: Option<&mut Grid<S, W, H>>,
+        mut multipliers: Option<&mut Grid<S, W, H>>,
     ) {
         // before the links of a row act, those that end in it have acted
         for row in 0..H.saturating_sub(DOWN) {
             let [x, y] = [row, row + DOWN].map(|row| &particles.position.0[row]);
             let [u, v] = [row, row + DOWN].map(|row| &particles.inverse_mass.0[row]);
             let mut none = [S::ZERO; W];
-            let tension = tension.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
-            let softness = self.softness([row, row + DOWN], [u, v], |v| *v);
-            let pull = self.pull::<W>(0..W, x, |column| y.at(column), &softness, tension);
-            self.displace(particles, row, &softness, |column| pull.at(column));
-            self.displace(particles, row + DOWN, &softness, |column| -pull.at(column));
+            let multipliers = multipliers.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
+            let effective_mass = self.effective_mass([row, row + DOWN], [u, v], |v| *v);
+            let pull = self.pull::<W>(0..W, x, |column| y.at(column), &effective_mass, multipliers);
+            self.displace(particles, row, &effective_mass, |column| pull.at(column));
+            self.displace(particles, row + DOWN, &effective_mass, |column| -pull.at(column));
         }
     }
 
@@ -90,7 +90,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     pub(super) fn diagonals<const ACROSS: usize, const DOWN: usize, const W: usize>(
         &self,
         particles: &mut Particles<S, W, H>,
-        mut tension: Option<[&mut Grid<S, W, H>; 2]>,
+        mut multipliers: Option<[&mut Grid<S, W, H>; 2]>,
     ) {
         if W <= ACROSS {
             return;
@@ -101,70 +101,64 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
                 let [x, y] = [row, row + DOWN].map(|row| &particles.position.0[row]);
                 let [u, v] = [row, row + DOWN].map(|row| &particles.inverse_mass.0[row]);
                 let mut none = [[S::ZERO; W]; 2];
-                let [falling, rising] = match &mut tension {
+                let [falling, rising] = match &mut multipliers {
                     Some([falling, rising]) => [&mut falling.0[row], &mut rising.0[row]],
                     None => none.each_mut(),
                 };
                 // to the right and down, to the left and down
                 let links = columns::<ACROSS, 0, W>();
-                let softness = self.softness([row, row + DOWN], [u, v], left::<ACROSS, S, W>);
-                let mut fall = self.pull::<W>(links, x, ahead::<ACROSS, S, W>(y), &softness, falling);
+                let effective_mass = self.effective_mass([row, row + DOWN], [u, v], left::<ACROSS, S, W>);
+                let mut fall = self.pull::<W>(links, x, ahead::<ACROSS, S, W>(y), &effective_mass, falling);
                 without_last::<ACROSS, S, W>(&mut fall, falling);
                 let links = columns::<0, ACROSS, W>();
-                let softness = self.softness([row, row + DOWN], [u, v], right::<ACROSS, S, W>);
-                let mut rise = self.pull::<W>(links, x, behind::<ACROSS, S, W>(y), &softness, rising);
+                let effective_mass = self.effective_mass([row, row + DOWN], [u, v], right::<ACROSS, S, W>);
+                let mut rise = self.pull::<W>(links, x, behind::<ACROSS, S, W>(y), &effective_mass, rising);
                 without_first::<ACROSS, S, W>(&mut rise, rising);
-                self.displace(particles, row, &softness, |column| fall.at(column) + rise.at(column));
+                self.displace(particles, row, &effective_mass, |column| fall.at(column) + rise.at(column));
                 let (fall, rise) = (behind::<ACROSS, S, W>(&fall), ahead::<ACROSS, S, W>(&rise));
-                self.displace(particles, row + DOWN, &softness, |column| -(fall(column) + rise(column)));
+                self.displace(particles, row + DOWN, &effective_mass, |column| -(fall(column) + rise(column)));
                 row += 2;
             }
         }
     }
 
-    /// 1/(a·Σw + b) of the links between two rows, whose inverse masses are these once those of the second are `shifted`.
+    /// The effective mass of the links between two rows, whose inverse masses are these once those of the second are `shifted`.
     #[inline(always)]
-    fn softness<const W: usize>(
+    fn effective_mass<const W: usize>(
         &self,
         rows: [usize; 2],
         [u, v]: [&[S; W]; 2],
         shifted: impl Fn(&[S; W]) -> [S; W],
-    ) -> Softness<S, W> {
+    ) -> EffectiveMass<S, W> {
         if rows.iter().all(|row| self.unit_mass[*row]) {
-            return Softness::UnitMass(self.softness);
+            return EffectiveMass::UnitMass(self.effective_mass);
         }
-        let (Quotient { dividend, divisor }, heavy) = (self.strength, self.heavy);
-        let mut softness = shifted(v);
+        let (Quotient { dividend, divisor }, exponent) = (self.strength, self.exponent);
+        let mut divisors = shifted(v);
         for column in 0..W {
-            let inverse_mass = heavy.scaled(u[column] + softness[column]);
-            let against = inverse_mass * dividend + heavy.scaled(divisor);
+            let inverse_mass = exponent.scaled(u[column] + divisors[column]);
+            let against = inverse_mass * dividend + exponent.scaled(divisor);
             // between two pins nothing gives
             let stuck = inverse_mass == S::ZERO;
-            softness[column] = if S::FLOATS {
-                if stuck { S::from_f64(f64::INFINITY) } else { against }
-            } else if stuck {
-                S::ZERO
-            } else {
-                against.recip()
-            };
+            divisors[column] = if stuck { S::INFINITE_DIVISOR } else { against.divisor() };
         }
-        Softness::Any(softness)
+        EffectiveMass::Any(divisors)
     }
 
-    /// Moves a row by a pull of links of such softness, times inverse masses.
+    /// Moves a row by a pull of links of such an effective mass, times inverse masses.
     #[inline(always)]
     fn displace<const W: usize>(
         &self,
         particles: &mut Particles<S, W, H>,
         row: usize,
-        softness: &Softness<S, W>,
+        effective_mass: &EffectiveMass<S, W>,
         pull: impl Fn(usize) -> Vec3<S>,
     ) {
-        let heavy = if let Softness::Any(_) = softness { self.heavy } else { Heavy::NONE };
-        if self.unit_mass[row] && heavy == Heavy::NONE {
+        let exponent = if let EffectiveMass::Any(_) = effective_mass { self.exponent } else { Exponent::NONE };
+        if self.unit_mass[row] && exponent == Exponent::NONE {
             displace_row(particles, row, pull, self.moment);
         } else {
-            let w = particles.inverse_mass.0[row].map(|w| heavy.scaled(w));
+            let w = particles.inverse_mass.0[row].map(|w| exponent.scaled(w));
             displace_row(particles, row, |column| pull(column) * w[column], self.moment);
         }
     }
@@ -176,18 +170,17 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         links: Range<usize>,
         x: &Vec3<[S; W]>,
         y: impl Fn(usize) -> Vec3<S>,
-        softness: &Softness<S, W>,
-        tension: &mut [S; W],
+        effective_mass: &EffectiveMass<S, W>,
+        multipliers: &mut [S; W],
     ) -> Vec3<[S; W]> {
         let strength = self.strength;
-        match softness {
-            &Softness::UnitMass(softness) => self.each(links, x, y, tension, |_, tension, excess| {
-                (excess - strength.times_divisor(tension)).scaled(softness)
+        match effective_mass {
+            &EffectiveMass::UnitMass(effective_mass) => self.each(links, x, y, multipliers, |_, multiplier, excess| {
+                (excess - strength.times_divisor(multiplier)).scaled(effective_mass)
             }),
-            Softness::Any(softness) => self.each(links, x, y, tension, |column, tension, excess| {
-                let missing = excess - self.heavy.scaled(strength.times_divisor(tension));
-                let softness = softness[column];
-                if S::FLOATS { missing.divide(softness) } else { missing * softness }
+            EffectiveMass::Any(divisors) => self.each(links, x, y, multipliers, |column, multiplier, excess| {
+                let missing = excess - self.exponent.scaled(strength.times_divisor(multiplier));
+                missing.over(divisors[column])
             }),
         }
     }
@@ -199,43 +192,43 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         links: Range<usize>,
         x: &Vec3<[S; W]>,
         y: impl Fn(usize) -> Vec3<S>,
-        tension: &mut [S; W],
+        multipliers: &mut [S; W],
         change: impl Fn(usize, S, S) -> S,
     ) -> Vec3<[S; W]> {
         let mut pull = Vec3::row(Vec3::ZERO);
         // no branches: so it can be done for four at once
         for column in links {
             let (excess, normal) = (y(column) - x.at(column)).direction(self.rest);
-            let by = change(column, tension[column], excess);
-            tension[column] += by;
+            let by = change(column, multipliers[column], excess);
+            multipliers[column] += by;
             pull.set(column, normal.of_length(self.strength.times_dividend(by), self.rounding));
         }
         pull
     }
 }
 
-/// 1/(a·Σw + b)
-enum Softness<S, const W: usize> {
+/// 1/(a·Σw + b): the mass that two particles show to the multiplier of a link, softened by the link.
+enum EffectiveMass<S, const W: usize> {
     /// The same everywhere: all particles have mass 1.
     UnitMass(S),
-    /// Of each link; its reciprocal where numbers float, whose division is one operation.
+    /// Of each link, as what its residual is [divided](Scalar::over) by.
     Any([S; W]),
 }
 
 /// Nothing in the last `BY < W` columns.
 #[inline(always)]
-fn without_last<const BY: usize, S: Scalar, const W: usize>(pull: &mut Vec3<[S; W]>, tension: &mut [S; W]) {
+fn without_last<const BY: usize, S: Scalar, const W: usize>(pull: &mut Vec3<[S; W]>, multipliers: &mut [S; W]) {
     for column in W - BY..W {
         pull.set(column, Vec3::ZERO);
-        tension[column] = S::ZERO;
+        multipliers[column] = S::ZERO;
     }
 }
 
 /// Nothing in the first `BY < W` columns.
 #[inline(always)]
-fn without_first<const BY: usize, S: Scalar, const W: usize>(pull: &mut Vec3<[S; W]>, tension: &mut [S; W]) {
+fn without_first<const BY: usize, S: Scalar, const W: usize>(pull: &mut Vec3<[S; W]>, multipliers: &mut [S; W]) {
     for column in 0..BY {
         pull.set(column, Vec3::ZERO);
-        tension[column] = S::ZERO;
+        multipliers[column] = S::ZERO;
     }
 }

@@ -52,9 +52,9 @@ pub(super) fn regularisation<S: Scalar, const M: usize>(residual: &[S; M], inver
             multiplier = saturating(multiplier, S::narrow(residual.product(after.min(before[k - 1]))));
         }
     }
-    // a product with an inverse mass has to be held, too
-    let held = S::narrow(multiplier.product(most)) < S::from_f64(RANGE).halve(SIXTEEN);
-    if held { S::ZERO } else { worst * S::from_f64(2.0 / RANGE) * most }
+    // a product with an inverse mass has to fit, too
+    let fits = S::narrow(multiplier.product(most)) < S::from_f64(RANGE).halve(SIXTEEN);
+    if fits { S::ZERO } else { worst * S::from_f64(2.0 / RANGE) * most }
 }
 
 #[cfg(test)]
@@ -80,9 +80,9 @@ mod tests {
             [12.6, 12.8].map(|residual| added(residual, hung))
         );
         // of eight times the mass
-        let heavy = hung.map(|w| w / 8.0);
-        assert_eq!(added(12.6 / 8.0, heavy), 0.0);
-        assert!(added(12.8 / 8.0, heavy) > 0.0);
+        let exponent = hung.map(|w| w / 8.0);
+        assert_eq!(added(12.6 / 8.0, exponent), 0.0);
+        assert!(added(12.8 / 8.0, exponent) > 0.0);
         // 1 + 2 + 2 + 1 masses
         assert_eq!(added(21.0, [1.0; 5]), 0.0);
         assert!(added(21.3, [1.0; 5]) > 0.0);

@@ -8,7 +8,7 @@ use crate::scalar::{Rounding, Scalar};
 use crate::solver::unit_mass::UnitMass;
 
 use super::chain::Chain;
-use super::heavy::Heavy;
+use super::exponent::Exponent;
 use super::pairs::Pairs;
 
 /// The binary logarithm of κ from which on diagonals are solved exactly: softer ones converge as fast one by one, which is cheaper.
@@ -26,10 +26,10 @@ enum Pass {
 /// Relaxes links.
 pub(super) struct Relax<'a, S, const W: usize, const H: usize> {
     pub(super) particles: &'a mut Particles<S, W, H>,
-    tension: &'a mut [Grid<S, W, H>],
+    multipliers: &'a mut [Grid<S, W, H>],
     moment: Moment,
     /// What the rule in time makes of κ.
-    softness: S,
+    stiffness: S,
     pass: Pass,
     /// Whether no sweep of this substep went before.
     first: bool,
@@ -40,7 +40,7 @@ pub(super) struct Relax<'a, S, const W: usize, const H: usize> {
     /// How corrections are rounded.
     rounding: Rounding,
     unit_mass: UnitMass<W, H>,
-    heavy: Heavy,
+    exponent: Exponent,
     /// The least inverse mass over the largest that is more than 1.
     span: S,
     /// Whether shorter steps converge better than more sweeps: they do unless a particle is lighter than an eighth of a mass.
@@ -50,56 +50,33 @@ pub(super) struct Relax<'a, S, const W: usize, const H: usize> {
 impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
     pub(super) fn new(
         particles: &'a mut Particles<S, W, H>,
-        tension: &'a mut [Grid<S, W, H>],
+        multipliers: &'a mut [Grid<S, W, H>],
         moment: Moment,
-        softness: S,
+        stiffness: S,
     ) -> Self {
         let unit_mass = UnitMass::new(particles);
-        let (heavy, span, none_is_light) = Heavy::new(particles, &unit_mass.rows);
+        let (exponent, span, none_is_light) = Exponent::new(particles, &unit_mass.rows);
         let (pass, residual, rounding) = (Pass::Others, S::ZERO, moment.rounding());
         Self {
             particles,
-            tension,
+            multipliers,
             moment,
-            softness,
+            stiffness,
             pass,
             first: true,
             slot: 0,
             residual,
             rounding,
             unit_mass,
-            heavy,
+            exponent,
             span,
             none_is_light,
         }
     }
 
-    /// In fixed point, whose sums are exact, sweeps move positions alone: what velocities have that is not the positions' is set aside in their place. (One by
-    /// one the velocities of corrections would be rounded, which pushes a sheet aside.)
-    pub(super) fn set_aside(&mut self) {
-        let moment = self.moment;
-        self.velocities(|velocity, position| velocity - moment.share(position));
-    }
-
-    /// Gives velocities what sweeps have added to them.
-    pub(super) fn complete(&mut self) {
-        let moment = self.moment;
-        self.velocities(|velocity, position| velocity + moment.share(position));
-    }
-
-    fn velocities(&mut self, change: impl Fn(S, S) -> S + Copy) {
-        if !S::FLOATS {
-            for (position, velocity) in self.particles.position.0.iter().zip(&mut self.particles.velocity.0) {
-                each(&mut velocity.x, &position.x, change);
-                each(&mut velocity.y, &position.y, change);
-                each(&mut velocity.z, &position.z, change);
-            }
-        }
-    }
-
     /// Starts every link from nothing.
     pub(super) fn forget(&mut self) {
-        self.tension.fill(Grid::filled(S::ZERO));
+        self.multipliers.fill(Grid::filled(S::ZERO));
     }
 
     /// Relaxes every link once. Returns the largest strain of a row that it found.
@@ -119,16 +96,16 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
     /// What the rule in time makes of a family's κ. A taut chain between two pins has no pivot but for its divisor: of what a number can tell from nothing, a little is
     /// left.
     fn strength(&self, family: &Family<S>) -> Quotient<S> {
-        let strength = family.strength.scaled(self.softness);
+        let strength = family.strength.scaled(self.stiffness);
         let least = S::from_f64(8.0 * S::RESOLUTION);
         Quotient { divisor: strength.divisor.max(least), ..strength }
     }
 
     fn diagonals(&mut self, family: &Family<S>, slot: usize) {
         let strength = self.strength(family);
-        let Self { moment, rounding, ref unit_mass, heavy, span, .. } = *self;
-        let chain = Chain { rest: &family.rest, strength, moment, rounding, unit_mass, heavy, span };
-        if let Some([black, white]) = self.tension.get_mut(slot..slot + 2) {
+        let Self { moment, rounding, ref unit_mass, exponent, span, .. } = *self;
+        let chain = Chain { rest: &family.rest, strength, moment, rounding, unit_mass, exponent, span };
+        if let Some([black, white]) = self.multipliers.get_mut(slot..slot + 2) {
             let worst = chain.diagonals(self.particles, [black, white]);
             self.residual = self.residual.max(worst * family.rest.inverse);
         }
@@ -136,45 +113,37 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
 
     fn lines<const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
         let strength = self.strength(family);
-        let Some(tension) = self.tension.get_mut(slot) else { return };
-        let Self { moment, rounding, ref unit_mass, heavy, span, .. } = *self;
-        let chain = Chain { rest: &family.rest, strength, moment, rounding, unit_mass, heavy, span };
+        let Some(multipliers) = self.multipliers.get_mut(slot) else { return };
+        let Self { moment, rounding, ref unit_mass, exponent, span, .. } = *self;
+        let chain = Chain { rest: &family.rest, strength, moment, rounding, unit_mass, exponent, span };
         let worst = if const { DOWN == 0 } {
-            chain.rows(self.particles, tension)
+            chain.rows(self.particles, multipliers)
         } else {
-            chain.columns(self.particles, tension)
+            chain.columns(self.particles, multipliers)
         };
         self.residual = self.residual.max(worst * family.rest.inverse);
     }
 
     fn others<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
-        let strength = family.strength.scaled(self.softness);
+        let strength = family.strength.scaled(self.stiffness);
         if const { ACROSS == 1 && DOWN == 1 } && strength.divisor.double(STIFF) < strength.dividend {
             return self.diagonals(family, slot);
         }
-        let pairs = Pairs::new(family, strength, self.moment, self.rounding, &self.unit_mass.rows, self.heavy);
-        let memory = self.tension.get_mut(slot..slot + directions::<ACROSS, DOWN>());
+        let pairs = Pairs::new(family, strength, self.moment, self.rounding, &self.unit_mass.rows, self.exponent);
+        let memory = self.multipliers.get_mut(slot..slot + directions::<ACROSS, DOWN>());
         // without a memory a second time would count twice
         if memory.is_none() && !self.first {
             return;
         }
-        let tension = memory.unwrap_or(&mut []);
+        let multipliers = memory.unwrap_or(&mut []);
         if const { ACROSS > 0 && DOWN > 0 } {
-            let tension = if let [falling, rising, ..] = tension { Some([falling, rising]) } else { None };
-            pairs.diagonals::<ACROSS, DOWN, W>(self.particles, tension);
+            let multipliers = if let [falling, rising, ..] = multipliers { Some([falling, rising]) } else { None };
+            pairs.diagonals::<ACROSS, DOWN, W>(self.particles, multipliers);
         } else if const { DOWN == 0 } {
-            pairs.row::<ACROSS, W>(self.particles, tension.first_mut());
+            pairs.row::<ACROSS, W>(self.particles, multipliers.first_mut());
         } else {
-            pairs.column::<DOWN, W>(self.particles, tension.first_mut());
+            pairs.column::<DOWN, W>(self.particles, multipliers.first_mut());
         }
-    }
-}
-
-/// Gives each velocity what `change` makes of it and its position.
-#[inline(never)] // of any length: a loop, where one of a known length would be written out
-fn each<S: Scalar>(velocities: &mut [S], positions: &[S], change: impl Fn(S, S) -> S) {
-    for (velocity, position) in velocities.iter_mut().zip(positions) {
-        *velocity = change(*velocity, *position);
     }
 }
 

@@ -5,13 +5,13 @@
 use crate::grid::Grid;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
+use crate::solver::aside::displace_row;
 use crate::vec3::Vec3;
 use crate::vectors::{ahead, behind, columns};
 
 use super::chain::{Chain, skips_masses};
-use super::displace_row;
+use super::exponent::Exponent;
 use super::geometric_stiffness::geometric_stiffness;
-use super::heavy::Heavy;
 use super::regularise::regularisation;
 use super::tridiagonal::twisted;
 
@@ -30,20 +30,20 @@ struct Coefficients<S, const W: usize> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
-    /// Solves every row. Returns the largest difference between a link's length and rest length that it met.
+    /// Solves every row. Returns the largest difference between a link's length and rest length that it found.
     #[inline(never)] // one for all scenes of a grid
-    pub(super) fn rows(&self, particles: &mut Particles<S, W, H>, tension: &mut Grid<S, W, H>) -> S {
+    pub(super) fn rows(&self, particles: &mut Particles<S, W, H>, multipliers: &mut Grid<S, W, H>) -> S {
         let mut worst = S::ZERO;
         if W > 1 {
             for row in 0..H {
-                if self.unit_mass.held[row] {
+                if self.unit_mass.pinned[row] {
                     continue; // nor is what pins are strained by a reason to sweep on
                 }
-                let tension = &mut tension.0[row];
+                let multipliers = &mut multipliers.0[row];
                 worst = worst.max(if const { skips_masses::<S>() } && self.unit_mass.rows[row] {
-                    self.row::<true>(particles, row, tension)
+                    self.row::<true>(particles, row, multipliers)
                 } else {
-                    self.row::<false>(particles, row, tension)
+                    self.row::<false>(particles, row, multipliers)
                 });
             }
         }
@@ -52,20 +52,25 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     /// Solves a row.
     #[inline(always)]
-    fn row<const UNIT_MASS: bool>(&self, particles: &mut Particles<S, W, H>, row: usize, tension: &mut [S; W]) -> S {
-        let heavy = self.heavy::<UNIT_MASS>();
-        let w = particles.inverse_mass.0[row].map(|w| heavy.scaled(w));
-        let links = self.gather(&particles.position.0[row], tension, heavy);
+    fn row<const UNIT_MASS: bool>(
+        &self,
+        particles: &mut Particles<S, W, H>,
+        row: usize,
+        multipliers: &mut [S; W],
+    ) -> S {
+        let exponent = self.exponent::<UNIT_MASS>();
+        let w = particles.inverse_mass.0[row].map(|w| exponent.scaled(w));
+        let links = self.gather(&particles.position.0[row], multipliers, exponent);
         let worst = links.residual.iter().fold(S::ZERO, |worst, residual| worst.max(residual.abs()));
         let divisor = self.divisor::<UNIT_MASS, W>(worst, || regularisation(&links.residual, &w, W));
         let matrix = self.coefficients::<UNIT_MASS>(&links.normal, &w, divisor);
         let change: [S; W] =
             twisted::<UNIT_MASS, S, S, W>(|k| matrix.diagonal[k], |k| matrix.coupling[k], |k| links.residual[k]);
-        self.pull_row::<UNIT_MASS>(particles, row, &links.normal, &change, &w, tension);
+        self.pull_row::<UNIT_MASS>(particles, row, &links.normal, &change, &w, multipliers);
         let most = change.iter().fold(S::ZERO, |most, change| most.max(*change));
-        if self.is_taut(most, heavy) {
-            let tension = change.map(|change| self.strength.times_dividend(change));
-            let by = geometric_stiffness(&links.normal, &tension, &w, W, self.rest.inverse, heavy);
+        if self.is_taut(most, exponent) {
+            let tensions = change.map(|change| self.strength.times_dividend(change));
+            let by = geometric_stiffness(&links.normal, &tensions, &w, W, self.rest.inverse, exponent);
             displace_row(particles, row, |k| by.at(k), self.moment);
         }
         worst
@@ -73,12 +78,12 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
 
     /// The links between these particles.
     #[inline(always)]
-    fn gather(&self, x: &Vec3<[S; W]>, tension: &[S; W], heavy: Heavy) -> Row<S, W> {
+    fn gather(&self, x: &Vec3<[S; W]>, multipliers: &[S; W], exponent: Exponent) -> Row<S, W> {
         let mut links = Row { normal: Vec3::row(Vec3::ZERO), residual: [S::ZERO; W] };
         let next = ahead::<1, S, W>(x);
         for k in columns::<1, 0, W>() {
             let (excess, along) = (next(k) - x.at(k)).direction(self.rest);
-            links.residual[k] = excess - heavy.scaled(self.strength.times_divisor(tension[k]));
+            links.residual[k] = excess - exponent.scaled(self.strength.times_divisor(multipliers[k]));
             links.normal.set(k, along);
         }
         links.residual[W - 1] = S::ZERO;
@@ -113,11 +118,11 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         normal: &Vec3<[S; W]>,
         change: &[S; W],
         w: &[S; W],
-        tension: &mut [S; W],
+        multipliers: &mut [S; W],
     ) {
         let mut pull = Vec3::row(Vec3::ZERO);
         for k in 0..W {
-            tension[k] = tension[k].difference(-change[k]); // does not wrap
+            multipliers[k] = multipliers[k].difference(-change[k]); // does not wrap
             pull.set(k, normal.at(k).of_length(self.strength.times_dividend(change[k]), self.rounding));
         }
         let before = behind::<1, S, W>(&pull);

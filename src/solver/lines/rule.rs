@@ -17,7 +17,7 @@ pub(super) struct TimeRule<S> {
     /// v' depends on a' by response·h, with the h of the whole substep.
     pub(super) response: S,
     /// By which κ = k·h²/m of the whole substep is multiplied.
-    pub(super) softness: S,
+    pub(super) stiffness: S,
 }
 
 impl<S: Scalar> TimeRule<S> {
@@ -29,8 +29,8 @@ impl<S: Scalar> TimeRule<S> {
             History::Velocity => (Moment { halves: 3, ..moment }, S::from_int(2).divide(S::from_int(3))),
         };
         let response = part.divide(S::ONE + part * rate.halve(split));
-        let softness = (part * response).halve(2 * split);
-        Self { moment, part, response: response.halve(split), softness }
+        let stiffness = (part * response).halve(2 * split);
+        Self { moment, part, response: response.halve(split), stiffness }
     }
 
     /// The part of what springs did in this substep that they will do in the next one: those of backward Euler pull for a whole substep, the others for two thirds.

@@ -51,10 +51,10 @@ pub(super) fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
 /// The least 1/κ that is solved: in floats a little of what they can tell from the largest inverse mass, since a row between two pins has no other pivot.
 #[inline(never)] // of any length: written out for a grid, the chain of comparisons takes compilers ages
 fn weakest<S: Scalar>(inverse_mass: &[S]) -> S {
-    if S::FLOATS {
-        inverse_mass.iter().fold(S::ONE, |most, &w| most.max(w)) * S::from_f64(8.0 * S::RESOLUTION)
-    } else {
+    if S::EXACT_SUMS {
         S::from_f64(WEAKEST)
+    } else {
+        inverse_mass.iter().fold(S::ONE, |most, &w| most.max(w)) * S::from_f64(8.0 * S::RESOLUTION)
     }
 }
 
@@ -160,12 +160,10 @@ impl<S: Scalar> Axes<S> {
     /// The logarithm to base 2 of a unit in which fixed point holds what dampers do between particles of such velocities.
     fn shift<const W: usize, const H: usize>(&self, velocity: &Vectors<S, W, H>) -> u32 {
         let mut shift = 0;
-        if !S::FLOATS {
-            let all = self.across.plus(self.down);
-            let most = all.dividend * velocity.largest().halve(2).max(S::ONE.halve(6));
-            while all.divisor.double(shift) < most {
-                shift += 1;
-            }
+        let all = self.across.plus(self.down);
+        let most = all.dividend * velocity.largest().halve(2).max(S::ONE.halve(6));
+        while !most.is_within(all.divisor.double(shift)) {
+            shift += 1;
         }
         shift
     }

@@ -29,7 +29,7 @@ fn drift<S: Scalar>(away: f64) -> Vec<(f64, f64)> {
 }
 
 fn places<S: Scalar>(far: f64) {
-    let next = if S::FLOATS { S::RESOLUTION * 2_f64.powf(far.log2().floor()) } else { S::RESOLUTION };
+    let next = if S::EXACT_SUMS { S::RESOLUTION } else { S::RESOLUTION * 2_f64.powf(far.log2().floor()) };
     println!("{:8} {:15.1e} {next:8.1e} {:10.1e}", S::NAME, S::RESOLUTION, S::LARGEST);
 }
 

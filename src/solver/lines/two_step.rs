@@ -1,20 +1,20 @@
-//! Where a substep starts.
+//! Where a substep starts by the rule that looks back two steps.
 
 use crate::force::{Force, Row};
 use crate::moment::Moment;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
-use crate::solver::predict as euler;
+use crate::solver::one_step;
 use crate::vec3::Vec3;
 
-use super::{History, Memory};
+use super::{History, LinesMemory};
 
 /// Moves particles to where they would be without links.
 #[inline(always)]
 pub(super) fn predict<S: Scalar, F: Force<S>, T, P, const W: usize, const H: usize>(
     forces: &F,
     particles: &mut Particles<S, W, H>,
-    memory: &mut Memory<S, T, P, W, H>,
+    memory: &mut LinesMemory<S, T, P, W, H>,
     moment: Moment,
     split: u32,
 ) {
@@ -28,13 +28,13 @@ pub(super) fn predict<S: Scalar, F: Force<S>, T, P, const W: usize, const H: usi
 fn first_order<S: Scalar, F: Force<S>, T, P, const W: usize, const H: usize>(
     forces: &F,
     particles: &mut Particles<S, W, H>,
-    memory: &mut Memory<S, T, P, W, H>,
+    memory: &mut LinesMemory<S, T, P, W, H>,
     moment: Moment,
     split: u32,
 ) {
     memory.earlier = particles.velocity;
     let slowed = S::ONE.divide(S::ONE + forces.drag().rate.halve(split));
-    euler::predict(
+    one_step::predict(
         forces,
         particles,
         |velocity, gain| {
@@ -44,14 +44,14 @@ fn first_order<S: Scalar, F: Force<S>, T, P, const W: usize, const H: usize>(
         |position, velocity| [position, velocity],
     );
     // apart: in one loop, which the compiler unrolls, it took 2 % more flash
-    euler::drift(particles, moment.shift);
+    one_step::drift(particles, moment.shift);
 }
 
 /// The second-order rule without links, `v̂ = (v + (v − v₋)/3 + (2/3)·gain)/(1 + (2/3)·γ·h)`, `x̂ = x + h·(4·v̂ + v + v₋)/6`.
 fn second_order<S: Scalar, F: Force<S>, T, P, const W: usize, const H: usize>(
     forces: &F,
     particles: &mut Particles<S, W, H>,
-    memory: &mut Memory<S, T, P, W, H>,
+    memory: &mut LinesMemory<S, T, P, W, H>,
     moment: Moment,
     split: u32,
 ) {
@@ -122,10 +122,10 @@ impl<S: Scalar> Rule<S> {
             let (v, earlier) = (velocity.at(column), earlier.at(column));
             let next = slow(v + (v - earlier) * self.third + gain.at(column));
             // a pin goes on as it was told; no branch, so that four particles can move at once
-            let held = inverse_mass[column] == S::ZERO;
-            velocity.set(column, v.or(next, held));
+            let pinned = inverse_mass[column] == S::ZERO;
+            velocity.set(column, v.or(next, pinned));
             let drift = next * self.two_thirds + (v + earlier) * self.sixth;
-            position.add(column, self.moment.displacement(v.or(drift, held)));
+            position.add(column, self.moment.displacement(v.or(drift, pinned)));
         }
     }
 }
@@ -134,7 +134,7 @@ impl<S: Scalar> Rule<S> {
 #[inline]
 fn ahead<S: Scalar, T, P, const W: usize, const H: usize>(
     particles: &Particles<S, W, H>,
-    memory: &Memory<S, T, P, W, H>,
+    memory: &LinesMemory<S, T, P, W, H>,
     row: usize,
     start: bool,
     moment: Moment,
@@ -144,8 +144,8 @@ fn ahead<S: Scalar, T, P, const W: usize, const H: usize>(
     for column in 0..W {
         let v = velocity.at(column);
         // a pin has the velocity that it was given, from one substep to the next
-        let held = particles.inverse_mass.0[row][column] == S::ZERO;
-        let change = Vec3::ZERO.or(v - earlier.at(column), held);
+        let pinned = particles.inverse_mass.0[row][column] == S::ZERO;
+        let change = Vec3::ZERO.or(v - earlier.at(column), pinned);
         velocity.set(column, v + change);
         position.add(column, moment.displacement(v + change.halve(1)));
     }

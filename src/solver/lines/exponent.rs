@@ -6,16 +6,16 @@
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 
-/// The largest inverse mass in the larger unit: the sum of two is still held.
+/// The largest inverse mass in the larger unit: the sum of two still fits.
 const LIGHTEST: i32 = 32;
 
 /// How much larger the unit of multipliers is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Heavy {
+pub(super) struct Exponent {
     shift: u32,
 }
 
-impl Heavy {
+impl Exponent {
     /// For the heaviest particle of a sheet whose rows of nothing but particles of mass 1 are `unit_mass`: none up to 8 masses, since it costs digits. Beside it the least
     /// inverse mass over the largest that is more than 1, in that unit, and whether no particle is lighter than an eighth of a mass.
     #[inline]
@@ -23,7 +23,7 @@ impl Heavy {
         particles: &Particles<S, W, H>,
         unit_mass: &[bool; H],
     ) -> (Self, S, bool) {
-        let mut heavy = Self { shift: 0 };
+        let mut exponent = Self { shift: 0 };
         let [mut least, mut most] = [S::ONE; 2];
         for (row, _) in particles.inverse_mass.0.iter().zip(unit_mass).filter(|(_, unit_mass)| !**unit_mass) {
             for w in row {
@@ -33,13 +33,11 @@ impl Heavy {
             }
         }
         let none_is_light = most <= S::from_int(8);
-        if !S::FLOATS {
-            while heavy.scaled(least) < S::ONE.halve(3) && heavy.scaled(most) < S::from_int(LIGHTEST) {
-                heavy.shift += 1;
-            }
+        while !S::ONE.halve(3).is_within(exponent.scaled(least)) && exponent.scaled(most) < S::from_int(LIGHTEST) {
+            exponent.shift += 1;
         }
-        let [least, most] = [least, most].map(|w| heavy.scaled(w));
-        (heavy, if most > S::ONE { least.divide(most) } else { least }, none_is_light)
+        let [least, most] = [least, most].map(|w| exponent.scaled(w));
+        (exponent, if most > S::ONE { least.divide(most) } else { least }, none_is_light)
     }
 
     /// No shift.
@@ -48,13 +46,13 @@ impl Heavy {
     /// An inverse mass, a divisor or its product with a multiplier, made larger.
     #[inline(always)]
     pub(super) fn scaled<S: Scalar>(self, number: S) -> S {
-        if S::FLOATS { number } else { number.double(self.shift) }
+        number.in_smaller_unit(self.shift)
     }
 
     /// A bound of multipliers, in their unit.
     #[inline(always)]
     pub(super) fn bound<S: Scalar>(self, bound: S) -> S {
-        if S::FLOATS { bound } else { bound.halve(self.shift) }
+        bound.in_larger_unit(self.shift)
     }
 }
 
@@ -67,7 +65,7 @@ mod tests {
     fn shift<S: Scalar>(masses: [f64; 2]) -> u32 {
         let mut cloth = Cloth::<S, 2, 1>::BLANK;
         cloth.inverse_mass.0[0] = masses.map(|mass| S::from_f64(1.0 / mass));
-        Heavy::new(&cloth, &[false]).0.shift
+        Exponent::new(&cloth, &[false]).0.shift
     }
 
     #[test]

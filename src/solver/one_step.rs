@@ -1,4 +1,4 @@
-//! Where particles would go if nothing held them together: the first half of the constraint solvers.
+//! Where particles would go without links, by the rules that look back one step: the first half of the constraint solvers.
 
 use crate::force::{Force, Row};
 use crate::grid::{Grid, Node};
@@ -31,8 +31,7 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
             let mut velocity = particles.velocity.at(node);
             if inverse_mass != S::ZERO {
                 let own = |gain: Vec3<S>| {
-                    // exact in fixed point, where looking costs less than three products
-                    if !S::FLOATS && inverse_mass == S::ONE { gain } else { gain * inverse_mass }
+                    if S::LOOKING_PAYS && inverse_mass == S::ONE { gain } else { gain * inverse_mass }
                 };
                 let gain = if is_field { own(gain.at(column)) + uniform } else { uniform };
                 velocity = next(velocity, gain);
