@@ -58,7 +58,8 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             let mut none = [S::ZERO; W];
             let multipliers = multipliers.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
             let effective_mass = self.effective_mass([row; 2], [w, w], left::<ACROSS, S, W>);
-            let mut pull = self.pull::<W>(links.clone(), x, ahead::<ACROSS, S, W>(x), &effective_mass, multipliers);
+            let mut pull = Vec3::row(Vec3::ZERO);
+            self.pull::<W>(&mut pull, links.clone(), x, ahead::<ACROSS, S, W>(x), &effective_mass, multipliers);
             without_last::<ACROSS, S, W>(&mut pull, multipliers);
             let before = behind::<ACROSS, S, W>(&pull);
             self.displace(particles, row, &effective_mass, |column| pull.at(column) - before(column));
@@ -79,7 +80,8 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             let mut none = [S::ZERO; W];
             let multipliers = multipliers.as_deref_mut().map_or(&mut none, |grid| &mut grid.0[row]);
             let effective_mass = self.effective_mass([row, row + DOWN], [u, v], |v| *v);
-            let pull = self.pull::<W>(0..W, x, |column| y.at(column), &effective_mass, multipliers);
+            let mut pull = Vec3::row(Vec3::ZERO);
+            self.pull::<W>(&mut pull, 0..W, x, |column| y.at(column), &effective_mass, multipliers);
             self.displace(particles, row, &effective_mass, |column| pull.at(column));
             self.displace(particles, row + DOWN, &effective_mass, |column| -pull.at(column));
         }
@@ -108,11 +110,12 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
                 // to the right and down, to the left and down
                 let links = columns::<ACROSS, 0, W>();
                 let effective_mass = self.effective_mass([row, row + DOWN], [u, v], left::<ACROSS, S, W>);
-                let mut fall = self.pull::<W>(links, x, ahead::<ACROSS, S, W>(y), &effective_mass, falling);
+                let [mut fall, mut rise] = [Vec3::row(Vec3::ZERO); 2];
+                self.pull::<W>(&mut fall, links, x, ahead::<ACROSS, S, W>(y), &effective_mass, falling);
                 without_last::<ACROSS, S, W>(&mut fall, falling);
                 let links = columns::<0, ACROSS, W>();
                 let effective_mass = self.effective_mass([row, row + DOWN], [u, v], right::<ACROSS, S, W>);
-                let mut rise = self.pull::<W>(links, x, behind::<ACROSS, S, W>(y), &effective_mass, rising);
+                self.pull::<W>(&mut rise, links, x, behind::<ACROSS, S, W>(y), &effective_mass, rising);
                 without_first::<ACROSS, S, W>(&mut rise, rising);
                 self.displace(particles, row, &effective_mass, |column| fall.at(column) + rise.at(column));
                 let (fall, rise) = (behind::<ACROSS, S, W>(&fall), ahead::<ACROSS, S, W>(&rise));
@@ -163,39 +166,42 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         }
     }
 
-    /// How links from a row of particles to another pull by what is missing.
+    /// Finds how links from a row of particles to another pull by what is missing. (What is returned is copied on a Cortex-M.)
     #[inline(always)]
     fn pull<const W: usize>(
         &self,
+        pull: &mut Vec3<[S; W]>,
         links: Range<usize>,
         x: &Vec3<[S; W]>,
         y: impl Fn(usize) -> Vec3<S>,
         effective_mass: &EffectiveMass<S, W>,
         multipliers: &mut [S; W],
-    ) -> Vec3<[S; W]> {
+    ) {
         let strength = self.strength;
         match effective_mass {
-            &EffectiveMass::UnitMass(effective_mass) => self.each(links, x, y, multipliers, |_, multiplier, excess| {
-                (excess - strength.times_divisor(multiplier)).scaled(effective_mass)
-            }),
-            EffectiveMass::Any(divisors) => self.each(links, x, y, multipliers, |column, multiplier, excess| {
+            &EffectiveMass::UnitMass(effective_mass) => {
+                self.each(pull, links, x, y, multipliers, |_, multiplier, excess| {
+                    (excess - strength.times_divisor(multiplier)).scaled(effective_mass)
+                })
+            }
+            EffectiveMass::Any(divisors) => self.each(pull, links, x, y, multipliers, |column, multiplier, excess| {
                 let missing = excess - self.exponent.scaled(strength.times_divisor(multiplier));
                 missing.over(divisors[column])
             }),
         }
     }
 
-    /// How links pull by what `change` makes of their multipliers and their excess lengths: what multipliers change by.
+    /// Finds how links pull by what `change` makes of their multipliers and their excess lengths: what multipliers change by.
     #[inline(always)]
     fn each<const W: usize>(
         &self,
+        pull: &mut Vec3<[S; W]>,
         links: Range<usize>,
         x: &Vec3<[S; W]>,
         y: impl Fn(usize) -> Vec3<S>,
         multipliers: &mut [S; W],
         change: impl Fn(usize, S, S) -> S,
-    ) -> Vec3<[S; W]> {
-        let mut pull = Vec3::row(Vec3::ZERO);
+    ) {
         // no branches: so it can be done for four at once
         for column in links {
             let (excess, normal) = (y(column) - x.at(column)).direction(self.rest);
@@ -203,7 +209,6 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             multipliers[column] += by;
             pull.set(column, normal.of_length(self.strength.times_dividend(by), self.rounding));
         }
-        pull
     }
 }
 

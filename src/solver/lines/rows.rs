@@ -60,7 +60,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     ) -> S {
         let exponent = self.exponent::<UNIT_MASS>();
         let w = particles.inverse_mass.0[row].map(|w| exponent.scaled(w));
-        let links = self.gather(&particles.position.0[row], multipliers, exponent);
+        let mut links = Row { normal: Vec3::row(Vec3::ZERO), residual: [S::ZERO; W] };
+        self.gather(&mut links, &particles.position.0[row], multipliers, exponent);
         let worst = links.residual.iter().fold(S::ZERO, |worst, residual| worst.max(residual.abs()));
         let divisor = self.divisor::<UNIT_MASS, W>(worst, || regularisation(&links.residual, &w, W));
         let matrix = self.coefficients::<UNIT_MASS>(&links.normal, &w, divisor);
@@ -76,10 +77,9 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         worst
     }
 
-    /// The links between these particles.
+    /// Gathers the links between these particles where they are used: what is returned is copied on a Cortex-M.
     #[inline(always)]
-    fn gather(&self, x: &Vec3<[S; W]>, multipliers: &[S; W], exponent: Exponent) -> Row<S, W> {
-        let mut links = Row { normal: Vec3::row(Vec3::ZERO), residual: [S::ZERO; W] };
+    fn gather(&self, links: &mut Row<S, W>, x: &Vec3<[S; W]>, multipliers: &[S; W], exponent: Exponent) {
         let next = ahead::<1, S, W>(x);
         for k in columns::<1, 0, W>() {
             let (excess, along) = (next(k) - x.at(k)).direction(self.rest);
@@ -87,7 +87,6 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             links.normal.set(k, along);
         }
         links.residual[W - 1] = S::ZERO;
-        links
     }
 
     /// The matrix of links with these directions between particles of these inverse masses.
