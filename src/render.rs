@@ -6,7 +6,8 @@
 //!
 //! * [`Wireframe`] draws the links. It needs no memory.
 //! * [`Shaded`] draws lit faces, with a [`Pattern`] on each side, [`Solids`] that the sheet lies on or hangs before, and a [`Ground`]
-//!   that may catch a soft [`Shadow`]. It needs 4 bytes per particle to put the faces in order, and the shadow its map.
+//!   that may catch a soft [`Shadow`]. It needs 16 bytes per particle, and the shadow its map. Faces have one tone each, or tones go from
+//!   particle to particle ([`Gouraud`]).
 //!
 //! What isn't named isn't there: a [`Look`] of a plain sheet has no ball, no ground and no shadow, and links no code for them. A
 //! [`Canvas`] sends only what changed to the display.
@@ -48,12 +49,15 @@
 mod camera;
 mod canvas;
 mod fill;
+mod gouraud;
 mod ground;
 pub mod light;
 mod look;
 pub mod pattern;
 mod quotient;
+mod ramp;
 mod shaded;
+mod shading;
 pub mod shadow;
 mod solid;
 mod surface;
@@ -68,6 +72,7 @@ pub use light::{Finish, Light};
 pub use look::Look;
 pub use pattern::Pattern;
 pub use shaded::Shaded;
+pub use shading::{Flat, Gouraud, Shading};
 pub use shadow::Shadow;
 pub use solid::{Ball, Rod, Solids};
 pub use tone::{Shade, Toned};

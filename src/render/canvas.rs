@@ -99,13 +99,17 @@ struct Extent {
 }
 
 impl Extent {
-    const EMPTY: Self = Self { low: Point::new_equal(i32::MAX), high: Point::new_equal(i32::MIN) };
+    /// No place is further away, so differences don't overflow.
+    const EMPTY: Self = Self { low: Point::new_equal(1 << 30), high: Point::new_equal(-(1 << 30)) };
 
     #[inline]
     fn add(&mut self, area: &Rectangle) {
-        if !area.is_zero_sized() {
-            self.low = self.low.component_min(area.top_left);
-            self.high = self.high.component_max(area.top_left + area.size);
+        let (low, high) = (area.top_left, area.top_left + area.size);
+        // most of what is drawn lies where something was: in one comparison, since a face's rows are short
+        let beyond = [low.x - self.low.x, low.y - self.low.y, self.high.x - high.x, self.high.y - high.y];
+        if beyond[0] | beyond[1] | beyond[2] | beyond[3] < 0 && !area.is_zero_sized() {
+            self.low = self.low.component_min(low);
+            self.high = self.high.component_max(high);
         }
     }
 

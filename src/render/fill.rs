@@ -29,7 +29,7 @@ pub(super) fn triangle<D: DrawTarget>(
     area: &Rectangle,
     target: &mut D,
 ) -> Result<(), D::Error> {
-    outline(corners, color, area, target)
+    outline(corners.map(Corner::plain), area, |span| target.fill_solid(&span.area(), color))
 }
 
 /// What a face's triangles (q, p, s) and (t, q, s) [`turn`] through.
@@ -46,13 +46,17 @@ pub(super) fn face<D: DrawTarget>(
     target: &mut D,
 ) -> Result<(), D::Error> {
     let ring = [p, q, t, s];
-    // lying on either side of their common edge, they are one span in each row unless their outline turns back up
-    let apart = (one > 0 && other > 0) || (one < 0 && other < 0);
-    if apart && falls_twice(ring) {
-        return outline(ring, color, area, target);
+    if is_one_span([one, other], ring) {
+        return outline(ring.map(Corner::plain), area, |span| target.fill_solid(&span.area(), color));
     }
     triangle([q, p, s], color, area, target)?;
     triangle([t, q, s], color, area, target)
+}
+
+/// Whether both triangles of a face, which turn so, are one span in each row: lying on either side of their common edge they are, unless their outline turns back up.
+pub(super) fn is_one_span([one, other]: [i64; 2], ring: [Spot; 4]) -> bool {
+    let apart = (one > 0 && other > 0) || (one < 0 && other < 0);
+    apart && falls_twice(ring)
 }
 
 /// Whether both ways round from the highest corner lead down to the lowest one.
@@ -63,36 +67,76 @@ fn falls_twice(ring: [Spot; 4]) -> bool {
     (0..4).filter(|&k| rises[k] != rises[(k + 1) % 4]).count() == 2
 }
 
-/// Fills a polygon both of whose sides lead downwards all the way.
-fn outline<D: DrawTarget, const N: usize>(
-    ring: [Spot; N],
-    color: D::Color,
+/// A corner of a polygon, and values that go from corner to corner, · 2⁸.
+#[derive(Clone, Copy)]
+pub(super) struct Corner<const K: usize> {
+    pub(super) spot: Spot,
+    pub(super) values: [i32; K],
+}
+
+impl Corner<0> {
+    const fn plain(spot: Spot) -> Self {
+        Self { spot, values: [] }
+    }
+}
+
+/// The part of a row of pixels that lies in a polygon.
+pub(super) struct Span<const K: usize> {
+    pub(super) row: i32,
+    /// The first column on the target, and that after the last.
+    pub(super) left: i32,
+    pub(super) right: i32,
+    /// The first column on the target or beside it, and how many there are.
+    pub(super) first: i32,
+    pub(super) count: i32,
+    /// The values at both ends, · 2¹⁶.
+    pub(super) from: [i32; K],
+    pub(super) to: [i32; K],
+}
+
+impl<const K: usize> Span<K> {
+    /// The pixels on the target.
+    #[inline(always)]
+    pub(super) fn area(&self) -> Rectangle {
+        Rectangle::new(Point::new(self.left, self.row), Size::new((self.right - self.left) as u32, 1))
+    }
+}
+
+/// Passes the rows of a polygon, both of whose sides lead downwards all the way, to `fill`.
+#[inline(always)]
+pub(super) fn outline<E, const N: usize, const K: usize>(
+    ring: [Corner<K>; N],
     area: &Rectangle,
-    target: &mut D,
-) -> Result<(), D::Error> {
-    let (mut highest, mut lowest) = (0, ring[0].y);
+    mut fill: impl FnMut(Span<K>) -> Result<(), E>,
+) -> Result<(), E> {
+    let (mut highest, mut lowest) = (0, ring[0].spot.y);
     for (index, corner) in ring.iter().enumerate() {
-        if corner.y < ring[highest].y {
+        if corner.spot.y < ring[highest].spot.y {
             highest = index;
         }
-        lowest = lowest.max(corner.y);
+        lowest = lowest.max(corner.spot.y);
     }
-    let (first, last) = (area.top_left, area.top_left + area.size);
-    let columns = |x: i32| next_middle(x).clamp(first.x, last.x);
-    let mut row = next_middle(ring[highest].y).max(first.y);
-    let end = next_middle(lowest).min(last.y);
+    let (low, high) = (area.top_left, area.top_left + area.size);
+    let mut row = next_middle(ring[highest].spot.y).max(low.y);
+    let end = next_middle(lowest).min(high.y);
     let [mut one, mut other] = [1, N - 1].map(|step| Side::new(highest, step));
     while row < end {
         one.reach(&ring, row);
         other.reach(&ring, row);
         let until = one.until.min(other.until).min(end);
         while row < until {
-            let (a, b) = (one.edge.next(), other.edge.next());
-            let (left, right) = (columns(a.min(b)), columns(a.max(b)));
-            if left < right {
-                target
-                    .fill_solid(&Rectangle::new(Point::new(left, row), Size::new((right - left) as u32, 1)), color)?;
+            if one.edge.x > other.edge.x {
+                // seldom: the highest corner does not say which side is which
+                core::mem::swap(&mut one, &mut other);
             }
+            let (a, b) = (&one.edge, &other.edge);
+            let [first, end] = [a, b].map(|edge| next_middle(edge.x >> 9));
+            let (left, right) = (first.clamp(low.x, high.x), end.clamp(low.x, high.x));
+            if left < right {
+                fill(Span { row, left, right, first, count: end - first, from: a.values, to: b.values })?;
+            }
+            one.edge.go_on();
+            other.edge.go_on();
             row += 1;
         }
     }
@@ -105,29 +149,29 @@ pub(super) const fn next_middle(place: i32) -> i32 {
 }
 
 /// One side of a polygon, from its highest corner downwards.
-struct Side {
+struct Side<const K: usize> {
     /// The corner at which the edge ends.
     corner: usize,
     /// From one corner to the next, round the ring.
     step: usize,
-    edge: Edge,
+    edge: Edge<K>,
     /// The row after the edge's last one.
     until: i32,
 }
 
-impl Side {
+impl<const K: usize> Side<K> {
     const fn new(highest: usize, step: usize) -> Self {
-        Self { corner: highest, step, edge: Edge { x: 0, slope: 0 }, until: i32::MIN }
+        Self { corner: highest, step, edge: Edge { x: 0, slope: 0, values: [0; K], slopes: [0; K] }, until: i32::MIN }
     }
 
     /// Goes on to the edge that crosses a row, which is not below the lowest corner.
-    fn reach<const N: usize>(&mut self, ring: &[Spot; N], row: i32) {
+    fn reach<const N: usize>(&mut self, ring: &[Corner<K>; N], row: i32) {
         while self.until <= row {
             let start = ring[self.corner];
             self.corner =
                 if self.corner + self.step < N { self.corner + self.step } else { self.corner + self.step - N };
             let end = ring[self.corner];
-            self.until = next_middle(end.y);
+            self.until = next_middle(end.spot.y);
             if self.until > row {
                 self.edge = Edge::new(start, end, row);
             }
@@ -136,29 +180,41 @@ impl Side {
 }
 
 /// A line downwards, row by row. A common edge is the same line to both its faces.
-struct Edge {
+struct Edge<const K: usize> {
     /// Pixels · 2¹⁷.
     x: i32,
     /// Of a row.
     slope: i32,
+    /// Values · 2¹⁶.
+    values: [i32; K],
+    slopes: [i32; K],
 }
 
-impl Edge {
+impl<const K: usize> Edge<K> {
     /// From the middle of a row of pixels on, which lies between the ends: then 32 bits hold every place on the way.
-    fn new(start: Spot, end: Spot, row: i32) -> Self {
-        let height = end.y - start.y;
+    fn new(start: Corner<K>, end: Corner<K>, row: i32) -> Self {
+        let (from, to) = (start.spot, end.spot);
+        let height = to.y - from.y;
         // times 2⁹: an edge of 100 pixels ends a fifth of a pixel off at most, and 32 bits hold 4096 pixels
-        let slope = quotient((end.x - start.x) << 9, height);
-        let below = 256 * row + 128 - start.y;
-        Self { x: (start.x << 9).wrapping_add(slope.wrapping_mul(below)), slope: slope.wrapping_mul(256) }
+        let slope = quotient((to.x - from.x) << 9, height);
+        let below = 256 * row + 128 - from.y;
+        let slopes =
+            core::array::from_fn(|k| quotient((end.values[k] - start.values[k]) << 8, (height + 15) >> 4) << 4);
+        Self {
+            x: (from.x << 9).wrapping_add(slope.wrapping_mul(below)),
+            slope: slope.wrapping_mul(256),
+            values: core::array::from_fn(|k| (start.values[k] << 8) + (slopes[k] >> 8) * below),
+            slopes,
+        }
     }
 
-    /// Where it crosses this row, pixels · 256; the next time, the next.
-    #[inline]
-    fn next(&mut self) -> i32 {
-        let x = self.x >> 9;
+    /// In the next row.
+    #[inline(always)]
+    fn go_on(&mut self) {
         self.x = self.x.wrapping_add(self.slope);
-        x
+        for k in 0..K {
+            self.values[k] += self.slopes[k];
+        }
     }
 }
 

@@ -75,6 +75,15 @@ pub struct Finish {
 /// How far the lamp's light reaches around an edge: a wide lamp, not a point. Of 256.
 const WRAP: i32 = 80;
 
+/// `number/(256 + WRAP)`, rounded towards zero, for numbers of 18 bits: by its reciprocal, rounded up.
+const fn over_wrapped(number: i32) -> i32 {
+    const DIVISOR: u32 = 256 + WRAP as u32;
+    // a number of 8 bits after the last eight, which are zero
+    let size = number.unsigned_abs();
+    let quotient = ((size >> 4) * ((1 << 20) / DIVISOR + 1)) >> 16;
+    if number < 0 { -(quotient as i32) } else { quotient as i32 }
+}
+
 /// A light in the directions of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Lamp {
@@ -86,10 +95,21 @@ pub struct Lamp {
 }
 
 impl Lamp {
+    /// What it is made from.
+    pub(super) const fn light(&self) -> &Light {
+        &self.light
+    }
+
     /// The tone of a surface of this colour and normal.
+    #[inline]
     pub(super) fn tone(&self, base: Rgb888, finish: &Finish, normal: Normal) -> Rgb888 {
+        self.lit(finish, normal).tone(base)
+    }
+
+    /// The light on a surface of this normal.
+    pub(super) fn lit(&self, finish: &Finish, normal: Normal) -> Lit {
         let facing = normal.dot(self.towards, 8);
-        let lamp = match quotient((facing + WRAP) * 256, 256 + WRAP) {
+        let lamp = match over_wrapped((facing + WRAP) * 256) {
             lit if lit > 0 => lit,
             unlit => (-unlit * finish.translucency) >> 8,
         };
@@ -103,16 +123,49 @@ impl Lamp {
         } else {
             0
         };
-        let channel = |of: fn(&Rgb888) -> u8| {
-            let of = |tone: &Rgb888| i32::from(of(tone));
-            let Light { lamp: bright, sky, ground, .. } = &self.light;
-            let light = of(ground) * (256 - upward) + of(sky) * upward + of(bright) * lamp;
-            // 255 · 256 counts as one
-            let lit = ((of(&base) * (light >> 8) + 128) * 257) >> 16;
-            (lit + ((of(&finish.gloss) * of(bright) * gloss) >> 16)).min(255) as u8
-        };
-        Rgb888::new(channel(RgbColor::r), channel(RgbColor::g), channel(RgbColor::b))
+        let [from_lamp, from_sky, from_ground, shine] =
+            [&self.light.lamp, &self.light.sky, &self.light.ground, &finish.gloss].map(channels);
+        let light = core::array::from_fn(|k| {
+            ((from_ground[k] * (256 - upward) + from_sky[k] * upward + from_lamp[k] * lamp) >> 8) as u16
+        });
+        Lit { light, gloss: core::array::from_fn(|k| ((shine[k] * from_lamp[k] * gloss) >> 16) as u8) }
     }
+}
+
+/// The light that a surface gets, channel by channel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lit {
+    /// What its colour is multiplied by, where 255 counts as one; up to four.
+    light: [u16; 3],
+    /// What its gloss adds.
+    gloss: [u8; 3],
+}
+
+impl Lit {
+    /// This light, and no gloss.
+    pub(super) fn of(light: [i32; 3]) -> Self {
+        Self { light: light.map(|light| light as u16), gloss: [0; 3] }
+    }
+
+    /// What a grey surface sends back, twice as bright: its gloss counts as light.
+    pub(super) fn grey(&self) -> [i32; 3] {
+        core::array::from_fn(|k| i32::from(self.light[k]) + 2 * i32::from(self.gloss[k]))
+    }
+
+    /// The tone of a surface of this colour.
+    #[inline]
+    pub(super) fn tone(&self, base: Rgb888) -> Rgb888 {
+        let base = channels(&base);
+        let [r, g, b] = core::array::from_fn(|k| {
+            let lit = ((base[k] * i32::from(self.light[k]) + 128) * 257) >> 16;
+            (lit + i32::from(self.gloss[k])).min(255) as u8
+        });
+        Rgb888::new(r, g, b)
+    }
+}
+
+fn channels(tone: &Rgb888) -> [i32; 3] {
+    [tone.r(), tone.g(), tone.b()].map(i32::from)
 }
 
 /// A direction as a unit vector in whole numbers of 32 bits, in 2⁻¹⁴: a tone of 8 bits needs no more, and a Cortex-M0 has no longer products.
@@ -121,6 +174,9 @@ pub struct Normal([i32; 3]);
 
 impl Normal {
     const BITS: u32 = 14;
+
+    /// No direction.
+    pub(super) const NONE: Self = Self([0; 3]);
 
     /// The direction of a vector whose length is near one.
     pub(super) fn of<S: Scalar>(vector: Vec3<S>) -> Self {
@@ -187,6 +243,14 @@ mod tests {
     fn tones<S: Scalar>(light: &Light, finish: &Finish, normal: [f64; 3]) -> Rgb888 {
         let camera = Camera::<S>::new(&View::new(0.0, 0.0), Size::new(64, 64));
         light.lamp(&camera).tone(Rgb888::new(200, 100, 50), finish, Normal::of(unit(Vec3::<S>::from_f64(normal))))
+    }
+
+    #[test]
+    fn a_constant_divisor_needs_no_division() {
+        for facing in -256..=256 {
+            let number = (facing + WRAP) * 256;
+            assert_eq!(over_wrapped(number), number / (256 + WRAP), "{number}");
+        }
     }
 
     #[test]

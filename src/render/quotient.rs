@@ -1,7 +1,7 @@
 //! Division on processors that cannot divide.
 
-/// Whether the machine divides. (Rust can't be asked for that; of the machines with the Thumb instructions it is those with atomics.)
-const DIVIDES: bool = cfg!(not(target_arch = "arm")) || cfg!(target_has_atomic = "32");
+/// Whether the machine divides, or something beside it does. (Rust can't be asked for that; of the machines with the Thumb instructions it is those with atomics.)
+const DIVIDES: bool = cfg!(not(target_arch = "arm")) || cfg!(target_has_atomic = "32") || cfg!(feature = "divider");
 
 /// `dividend/divisor`, rounded towards zero; nothing by nothing is 0.
 ///

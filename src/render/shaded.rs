@@ -5,10 +5,12 @@ use embedded_graphics::primitives::Rectangle;
 
 use super::camera::{Camera, Spot};
 use super::fill;
+use super::gouraud;
 use super::ground::Backdrop;
 use super::light::{Lamp, Normal};
 use super::look::Look;
 use super::pattern::{Pattern, Place};
+use super::shading::{Flat, Gouraud, Part, Shading, Side};
 use super::solid::Solids;
 use super::surface;
 use super::tone::{Shade, Toned};
@@ -19,13 +21,14 @@ use crate::vec3::Vec3;
 
 /// Draws sheets of `W × H` particles with light and shade, what is further away first.
 ///
-/// Each cell is drawn as `N × N` faces, one unless it is [`smooth`](Self::smooth).
+/// Each cell is drawn as `N × N` faces, one unless it is [`smooth`](Self::smooth). A face has one tone, unless tones go from [particle to particle](Self::gouraud).
 ///
-/// Memory: 16 bytes per particle, for where it is seen and the order in which cells are drawn; and the look.
+/// Memory: 16 bytes per particle, for where it is seen and the order in which cells are drawn, 32 more where tones go from particle to particle; and the look.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shaded<L, const W: usize, const H: usize, const N: usize = 1> {
+pub struct Shaded<L, const W: usize, const H: usize, const N: usize = 1, T = Flat> {
     /// How everything looks.
     pub look: L,
+    shading: T,
     /// Depth and cell, ready to be sorted.
     order: Grid<u32, W, H>,
     seen: Grid<Seen, W, H>,
@@ -53,17 +56,31 @@ impl<L, const W: usize, const H: usize> Shaded<L, W, H> {
     /// A renderer that draws one face for each cell.
     pub const fn new(look: L) -> Self {
         const { assert!(W * H <= 1 << 16, "a shaded sheet has at most 65536 particles") };
-        Self { look, order: Grid::filled(0), seen: Grid::filled(Seen::NOWHERE) }
-    }
-
-    /// Draws `N × N` faces for each cell, on a smooth surface through the particles: for large pictures. `N` up to 64.
-    pub fn smooth<const N: usize>(self) -> Shaded<L, W, H, N> {
-        const { assert!(N > 0 && N <= 64, "a cell is divided into 1 to 64 faces a side") };
-        Shaded { look: self.look, order: self.order, seen: self.seen }
+        Self { look, shading: Flat, order: Grid::filled(0), seen: Grid::filled(Seen::NOWHERE) }
     }
 }
 
-impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usize> Shaded<Look<F, B, O, G>, W, H, N> {
+impl<L, T, const W: usize, const H: usize> Shaded<L, W, H, 1, T> {
+    /// Draws `N × N` faces for each cell, on a smooth surface through the particles: for large pictures. `N` up to 64.
+    pub fn smooth<const N: usize>(self) -> Shaded<L, W, H, N, T> {
+        const { assert!(N > 0 && N <= 64, "a cell is divided into 1 to 64 faces a side") };
+        let Self { look, shading, order, seen } = self;
+        Shaded { look, shading, order, seen }
+    }
+}
+
+impl<L, const W: usize, const H: usize, const N: usize> Shaded<L, W, H, N> {
+    /// Lets tones go from particle to particle instead of giving each face one, on displays of the colour `C` and for patterns of `K` colours: see [`Gouraud`].
+    pub fn gouraud<C: Shade, const K: usize>(self) -> Shaded<L, W, H, N, Gouraud<C, K, W, H>> {
+        const { assert!(!C::PATTERNED, "a display of two colours has no tones in between") };
+        let Self { look, order, seen, .. } = self;
+        Shaded { look, shading: Gouraud::BLANK, order, seen }
+    }
+}
+
+impl<F: Pattern, B: Pattern, O, G, T, const W: usize, const H: usize, const N: usize>
+    Shaded<Look<F, B, O, G>, W, H, N, T>
+{
     /// Draws the backdrop, the solids and the sheet.
     ///
     /// # Errors
@@ -77,6 +94,7 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
     where
         O: Solids<S>,
         G: Backdrop<S>,
+        T: Shading<D::Color, W, H>,
     {
         let Look { light, solids, backdrop, .. } = &mut self.look;
         backdrop.prepare(particles, solids, light);
@@ -84,10 +102,12 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
         for (seen, point) in self.seen.0.as_flattened_mut().iter_mut().zip(particles.position.values()) {
             *seen = Seen::new(point, camera);
         }
+        let lamp = self.look.light.lamp(camera);
+        self.shading.prepare(particles, &lamp);
         let mut solid = farthest(&self.look.solids, camera, None);
         loop {
             let count = self.collect(particles, camera, solid);
-            self.faces(particles, camera, count, target)?;
+            self.faces(particles, camera, &lamp, count, target)?;
             let Some(index) = solid else { return Ok(()) };
             self.look.solids.draw(index, camera, &self.look.light, &mut Toned(target))?;
             solid = farthest(&self.look.solids, camera, Some(index));
@@ -130,27 +150,28 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
 
     /// Draws the first cells of the order.
     fn faces<S: Scalar, D: DrawTarget<Color: Shade>>(
-        &self,
+        &mut self,
         particles: &Particles<S, W, H>,
         camera: &Camera<S>,
+        lamp: &Lamp,
         count: usize,
         target: &mut D,
-    ) -> Result<(), D::Error> {
-        let easel = Easel::<_, _, _, _, N> {
-            look: &self.look,
-            lamp: self.look.light.lamp(camera),
-            area: target.bounding_box(),
-        };
-        for key in &self.order.0.as_flattened()[..count] {
+    ) -> Result<(), D::Error>
+    where
+        T: Shading<D::Color, W, H>,
+    {
+        let Self { look, shading, order, seen } = self;
+        let mut easel = Easel::<_, _, _, _, _, W, H> { look, shading, lamp, area: target.bounding_box() };
+        for key in &order.0.as_flattened()[..count] {
             let cell = (key & 0xffff) as usize;
             let cell = Node::new(cell % W, cell / W);
             let nodes = corners(cell.column, cell.row);
             if N == 1 {
-                let corners = nodes.map(|node| (particles.position.at(node), self.seen[node]));
-                easel.face(corners, &Place::middle::<W, H>(cell, [0, 0], 1), target)?;
+                let points = || nodes.map(|node| particles.position.at(node));
+                easel.face(nodes.map(|node| seen[node]), points, Part { cell, column: 0, row: 0, parts: 1 }, target)?;
                 continue;
             }
-            let [p, q, s, t] = nodes.map(|node| self.seen[node].depth);
+            let [p, q, s, t] = nodes.map(|node| seen[node].depth);
             let (backward, upward) = (p + s < q + t, p + q < s + t);
             let part = |k: usize| S::from_int(k as i32).divide(S::from_int(N as i32));
             let corner = |column: usize, row: usize| {
@@ -158,7 +179,7 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
                 let node =
                     (column % N == 0 && row % N == 0).then(|| Node::new(cell.column + column / N, cell.row + row / N));
                 let point = surface::point(&particles.position, cell, part(column), part(row));
-                (point, node.map_or_else(|| Seen::new(point, camera), |node| self.seen[node]))
+                (point, node.map_or_else(|| Seen::new(point, camera), |node| seen[node]))
             };
             // the corners in a row: those at the start of each face, and the last one
             let corners_of =
@@ -169,9 +190,9 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
                 let next = corners_of(if upward { row } else { row + 1 });
                 let (top, bottom) = if upward { (&next, &edge) } else { (&edge, &next) };
                 for column in (0..N).map(|k| if backward { N - 1 - k } else { k }) {
-                    let place = Place::middle::<W, H>(cell, [column, row], N as i32);
                     let corners = [at(top, column), at(top, column + 1), at(bottom, column), at(bottom, column + 1)];
-                    easel.face(corners, &place, target)?;
+                    let part = Part { cell, column, row, parts: N };
+                    easel.face(corners.map(|(_, seen)| seen), || corners.map(|(point, _)| point), part, target)?;
                 }
                 edge = next;
             }
@@ -181,36 +202,42 @@ impl<F: Pattern, B: Pattern, O, G, const W: usize, const H: usize, const N: usiz
 }
 
 /// All that a face's picture depends on beside its corners.
-struct Easel<'a, F, B, O, G, const N: usize> {
+struct Easel<'a, F, B, O, G, T, const W: usize, const H: usize> {
     look: &'a Look<F, B, O, G>,
-    lamp: Lamp,
+    shading: &'a mut T,
+    lamp: &'a Lamp,
     area: Rectangle,
 }
 
-impl<F: Pattern, B: Pattern, O, G, const N: usize> Easel<'_, F, B, O, G, N> {
+impl<F: Pattern, B: Pattern, O, G, T, const W: usize, const H: usize> Easel<'_, F, B, O, G, T, W, H> {
     /// Draws the face of corners p, q (to the right), s (below) and t as the triangles (q, p, s) and (t, q, s).
     fn face<S: Scalar, D: DrawTarget<Color: Shade>>(
-        &self,
-        corners: [(Vec3<S>, Seen); 4],
-        at: &Place,
+        &mut self,
+        seen: [Seen; 4],
+        points: impl FnOnce() -> [Vec3<S>; 4],
+        part: Part,
         target: &mut D,
-    ) -> Result<(), D::Error> {
-        if corners.iter().any(|(_, seen)| seen.depth < 0) {
+    ) -> Result<(), D::Error>
+    where
+        T: Shading<D::Color, W, H>,
+    {
+        if seen.iter().any(|seen| seen.depth < 0) {
             return Ok(());
         }
-        let [p, q, s, t] = corners.map(|(point, _)| point);
-        let spots = corners.map(|(_, seen)| seen.spot);
+        let spots = seen.map(|seen| seen.spot);
         let turns = fill::turns(spots);
-        // Seen from the front, columns and rows turn against the clock. The diagonals span twice the face.
+        // Seen from the front, columns and rows turn against the clock.
         let is_front = turns[0] + turns[1] > 0;
-        let diagonals = ((t - p).times(N as i32), (s - q).times(N as i32));
+        let (look, at) = (self.look, Place::middle::<W, H>(part.cell, [part.column, part.row], part.parts as i32));
+        let base = if is_front { look.front.tone(&at) } else { look.back.tone(&at) };
+        if let Some((levels, ramp)) = self.shading.levels(part, Side { is_front, base }, self.lamp, &look.finish) {
+            return gouraud::face(spots, turns, levels, ramp, &self.area, target);
+        }
+        let [p, q, s, t] = points();
+        // The diagonals span twice the face.
+        let diagonals = ((t - p).times(part.parts as i32), (s - q).times(part.parts as i32));
         let normal = Normal::across(diagonals.0, diagonals.1);
-        let look = self.look;
-        let tone = if is_front {
-            self.lamp.tone(look.front.tone(at), &look.finish, normal)
-        } else {
-            self.lamp.tone(look.back.tone(at), &look.finish, normal.reversed())
-        };
+        let tone = self.lamp.tone(base, &look.finish, if is_front { normal } else { normal.reversed() });
         if D::Color::PATTERNED {
             let target = &mut Toned(target);
             fill::face(spots, turns, tone, &self.area, target)

@@ -37,6 +37,7 @@ compile_error!("firmware runs on a board: run cargo in examples/pico, whose .car
 
 mod chip;
 mod clock;
+mod divider;
 mod fast;
 mod lcd;
 mod meter;

@@ -9,7 +9,7 @@ use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::image::GetPixel;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
-use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::primitives::{PointsIter, Rectangle};
 
 use crate::show::SCREEN;
 
@@ -48,6 +48,24 @@ impl Picture {
     }
 }
 
+/// Writes as many pixels as there are colours, and no more colours than there are pixels.
+#[inline(never)] // what goes from pixel to pixel fits the registers of a Cortex-M0 when nothing else has to
+fn write(pixels: &mut [u16], colors: impl Iterator<Item = Rgb565>) {
+    for (pixel, color) in pixels.iter_mut().zip(colors) {
+        *pixel = RawU16::from(color).into_inner();
+    }
+}
+
+/// The same pixel everywhere, four at a time.
+#[inline]
+fn fill(pixels: &mut [u16], color: u16) {
+    let mut fours = pixels.chunks_exact_mut(4);
+    for four in &mut fours {
+        four.fill(color);
+    }
+    fours.into_remainder().fill(color);
+}
+
 impl OriginDimensions for Picture {
     fn size(&self) -> Size {
         SCREEN
@@ -75,6 +93,27 @@ impl DrawTarget for Picture {
     }
 
     #[inline]
+    fn fill_contiguous<I: IntoIterator<Item = Rgb565>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
+        let mut colors = colors.into_iter();
+        let columns = area.top_left.x as usize..(area.top_left.x as usize).wrapping_add(area.size.width as usize);
+        if area.size.height == 1 {
+            // a part of a row within the picture, as faces consist of
+            let row = self.rows.get_mut().as_mut().and_then(|all| all.get_mut(area.top_left.y as usize));
+            if let Some(part) = row.and_then(|row| row.get_mut(columns)) {
+                write(part, colors);
+                return Ok(());
+            }
+        }
+        area.points()
+            .zip(&mut colors)
+            .try_for_each(|(at, color)| self.fill_solid(&Rectangle::new(at, Size::new(1, 1)), color))
+    }
+
+    #[inline]
     fn fill_solid(&mut self, area: &Rectangle, color: Rgb565) -> Result<(), Infallible> {
         let Some(all) = self.rows.get_mut() else { return Ok(()) };
         let color = RawU16::from(color).into_inner();
@@ -83,7 +122,7 @@ impl DrawTarget for Picture {
             // a part of a row within the picture, as faces consist of
             let row = all.get_mut(area.top_left.y as usize);
             if let Some(part) = row.and_then(|row| row.get_mut(area.top_left.x as usize..end.x as usize)) {
-                part.fill(color);
+                fill(part, color);
                 return Ok(());
             }
         }
@@ -92,7 +131,7 @@ impl DrawTarget for Picture {
         if let Some(rows) = all.get_mut(within(area.top_left.y, HEIGHT)..within(end.y, HEIGHT)) {
             for row in rows {
                 if let Some(part) = row.get_mut(columns.clone()) {
-                    part.fill(color);
+                    fill(part, color);
                 }
             }
         }

@@ -4,13 +4,13 @@ use core::fmt::Write;
 
 use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::ascii::FONT_7X13;
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle};
 use embedded_graphics::text::{Baseline, Text};
 use heapless::String;
 use kerchief::render::pattern::{CELL, Pattern, Place};
-use kerchief::render::{Camera, Light, Look, Shade, Shaded, View};
+use kerchief::render::{Camera, Gouraud, Light, Look, Shade, Shaded, View};
 use kerchief::scene::Only;
 use kerchief::units::PanelFlow;
 use kerchief::{
@@ -146,7 +146,7 @@ pub struct Show {
     step: u32,
     /// The largest strain since then.
     largest: Q13,
-    shaded: Shaded<Look<Bands, Bands>, ROW, ROWS>,
+    shaded: Shaded<Look<Bands, Bands>, ROW, ROWS, 1, Gouraud<Rgb565, 3, ROW, ROWS>>,
     camera: Camera<Q13>,
     /// Where the sheet's upper corners were at first, pixels.
     corners: [Point; 2],
@@ -168,7 +168,7 @@ impl Show {
             play: Play::Gusts,
             step: 0,
             largest: Q13::ZERO,
-            shaded: Shaded::new(LOOK),
+            shaded: Shaded::new(LOOK).gouraud(),
             corners: corners(&flag(), &camera),
             camera,
             note: String::new(),
@@ -260,7 +260,7 @@ impl Show {
 
     /// Draws the sheet.
     #[inline(never)]
-    pub fn draw<D: DrawTarget<Color: Shade>>(&mut self, target: &mut D) -> Result<(), D::Error> {
+    pub fn draw<D: DrawTarget<Color = Rgb565>>(&mut self, target: &mut D) -> Result<(), D::Error> {
         self.shaded.draw(&self.cloth, &self.camera, target)
     }
 }

@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::*;
 use crate::cloth::Cloth;
-use crate::render::{Ball, Light, View};
+use crate::render::{Ball, Finish, Light, View};
 use crate::scalar::Q24;
 use crate::units::{Length, Point as Spot, Units};
 
@@ -269,4 +269,71 @@ fn an_error_of_the_display_is_reported() {
 #[test]
 fn memory_is_as_documented() {
     assert_eq!(size_of::<Shaded<(), 16, 16>>(), 16 * 256);
+}
+
+/// A quarter of a pipe, upright.
+fn bent<S: Scalar>() -> Sheet<S> {
+    let mut cloth = hung();
+    for node in Grid::<S, 5, 5>::nodes() {
+        let angle = node.column as f64 * core::f64::consts::FRAC_PI_8;
+        let [_, _, height] = cloth.position.at(node).to_f64();
+        cloth.position.set(node, Vec3::from_f64([2.5 * libm::sin(angle), -2.5 * libm::cos(angle), height]));
+    }
+    cloth
+}
+
+/// The largest difference between a pixel in the middle row and the next.
+fn steepest(display: &MockDisplay<Rgb888>) -> u8 {
+    let tones = (0..SCREEN.width as i32).filter_map(|x| display.get_pixel(Point::new(x, SCREEN.height as i32 / 2)));
+    let (mut before, mut most) = (None, 0);
+    for tone in tones {
+        most = before.map_or(0, |before: u8| before.abs_diff(tone.r())).max(most);
+        before = Some(tone.r());
+    }
+    most
+}
+
+#[test]
+fn light_goes_from_particle_to_particle() {
+    fn check<S: Scalar>() {
+        let view = View::new(40.0, 0.0).at(Spot([1.2, -1.2, 0.0]), Length(12.0));
+        let look = Look::new(Light::new(-60.0, 20.0), Rgb888::new(200, 200, 200));
+        let camera = Camera::new(&view, SCREEN);
+        let [mut flat, mut smooth, mut fine] = [(); 3].map(|()| MockDisplay::new());
+        for display in [&mut flat, &mut smooth, &mut fine] {
+            display.set_allow_overdraw(true);
+        }
+        Shaded::new(look).draw(&bent::<S>(), &camera, &mut flat).unwrap();
+        Shaded::new(look).gouraud::<_, 1>().draw(&bent::<S>(), &camera, &mut smooth).unwrap();
+        Shaded::new(look).smooth::<4>().gouraud::<_, 1>().draw(&bent::<S>(), &camera, &mut fine).unwrap();
+        let [flat, smooth, fine] = [&flat, &smooth, &fine].map(steepest);
+        assert!(flat > 20 && smooth < flat / 2 && fine < flat / 2, "{flat}, {smooth}, {fine} in {}", S::NAME);
+    }
+    check::<f32>();
+    check::<Q24>();
+}
+
+#[test]
+fn even_light_leaves_colours_as_they_are() {
+    let view = View::new(20.0, 30.0).at(Spot([0.0; 3]), Length(15.0));
+    let stripes = |at: &Place| [Rgb888::RED, Rgb888::GREEN, Rgb888::BLUE][(at.across / 256) as usize % 3];
+    let look =
+        Look { finish: Finish { gloss: Rgb888::BLACK, ..Look::new(EVEN, stripes).finish }, ..Look::new(EVEN, stripes) };
+    let camera = Camera::new(&view, SCREEN);
+    let pictures = [0, 1, 2, 3].map(|k| {
+        let mut display = MockDisplay::<Rgb888>::new();
+        display.set_allow_overdraw(true);
+        let shaded = Shaded::<_, 5, 5>::new(look);
+        // with tables for each colour, for two of three, and for one at a time
+        match k {
+            0 => Shaded::<_, 5, 5>::new(look).draw(&laid::<Q24>(), &camera, &mut display).unwrap(),
+            1 => shaded.gouraud::<_, 3>().draw(&laid::<Q24>(), &camera, &mut display).unwrap(),
+            2 => shaded.gouraud::<_, 2>().draw(&laid::<Q24>(), &camera, &mut display).unwrap(),
+            _ => shaded.gouraud::<_, 1>().draw(&laid::<Q24>(), &camera, &mut display).unwrap(),
+        }
+        display
+    });
+    for gouraud in &pictures[1..] {
+        assert!(*gouraud == pictures[0], "{gouraud:?} {:?}", pictures[0]);
+    }
 }

@@ -1,0 +1,94 @@
+//! What a colour looks like in more and more light.
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+
+use super::light::{Light, Lit};
+use super::tone::Shade;
+
+/// From no light to all of it.
+pub(super) const LEVELS: usize = 128;
+
+/// The colours of `K` bases at each level of light.
+///
+/// All light is one number here. What there is of it between a surface's own colour and its gloss, and between the lamp, the sky and the ground, is taken to be what is most
+/// common at that level: little light is the ground's, more is the sky's and the lamp's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ramps<C, const K: usize> {
+    light: Option<Light>,
+    /// The most light that there is, of 255, and the levels of a unit of light, · 2¹⁶.
+    most: i32,
+    unit: i32,
+    ramps: [Option<(Rgb888, [C; LEVELS])>; K],
+    /// Which of them is made anew next.
+    next: usize,
+}
+
+impl<C: Shade, const K: usize> Ramps<C, K> {
+    pub(super) const NONE: Self = Self { light: None, most: 1, unit: 0, ramps: [None; K], next: 0 };
+
+    /// Forgets what belonged to another light.
+    pub(super) fn prepare(&mut self, light: &Light) {
+        if self.light != Some(*light) {
+            let most = luma(bright(light)).max(1);
+            let unit = ((LEVELS as i32 - 1) << 16) / most;
+            *self = Self { light: Some(*light), most, unit, ..Self::NONE };
+        }
+    }
+
+    /// The level of some light, · 2⁸.
+    pub(super) fn level(&self, lit: Lit) -> u16 {
+        ((luma(lit.grey()).clamp(0, self.most) * self.unit) >> 8) as u16
+    }
+
+    /// The colours of a base.
+    #[inline]
+    pub(super) fn of(&mut self, base: Rgb888) -> &[C; LEVELS] {
+        const { assert!(K > 0, "there is a colour at least") };
+        let found = self.ramps.iter().position(|ramp| matches!(ramp, Some((other, _)) if *other == base));
+        let index = found.unwrap_or_else(|| self.make(base));
+        match &self.ramps[index.min(K - 1)] {
+            Some((_, colors)) => colors,
+            None => unreachable!("it was found or made"),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn make(&mut self, base: Rgb888) -> usize {
+        let index = self.next;
+        self.next = if index + 1 < K { index + 1 } else { 0 };
+        let light = self.light.unwrap_or(Light::new(0.0, 0.0));
+        let colors = core::array::from_fn(|level| C::nearest(Lit::of(self.color(&light, level as i32)).tone(base)));
+        self.ramps[index] = Some((base, colors));
+        index
+    }
+
+    /// The light at a level.
+    fn color(&self, light: &Light, level: i32) -> [i32; 3] {
+        let [dark, bright] = [channels(light.ground), bright(light)];
+        let (from, to) = (luma(dark), self.most);
+        let here = level * self.most / (LEVELS as i32 - 1);
+        core::array::from_fn(|k| {
+            if here <= from {
+                dark[k] * here / from.max(1)
+            } else {
+                dark[k] + (bright[k] - dark[k]) * (here - from) / (to - from).max(1)
+            }
+        })
+    }
+}
+
+/// The light on what faces the lamp and the sky.
+fn bright(light: &Light) -> [i32; 3] {
+    let [lamp, sky] = [light.lamp, light.sky].map(channels);
+    core::array::from_fn(|k| lamp[k] + sky[k])
+}
+
+fn channels(tone: Rgb888) -> [i32; 3] {
+    [tone.r(), tone.g(), tone.b()].map(i32::from)
+}
+
+/// How bright some light is (ITU-R BT.601).
+fn luma([r, g, b]: [i32; 3]) -> i32 {
+    (77 * r + 150 * g + 29 * b) >> 8
+}
