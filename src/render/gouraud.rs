@@ -155,7 +155,7 @@ mod tests {
         for _ in 0..1_000 {
             let corners = [0; 4].map(|_| Spot { x: number(15) - 8_000, y: number(15) - 8_000 });
             let turns = fill::turns(corners);
-            let [mut flat, mut smooth] = [MockDisplay::new(), MockDisplay::new()];
+            let (mut flat, mut smooth) = (MockDisplay::new(), MockDisplay::new());
             let area = flat.bounding_box();
             for display in [&mut flat, &mut smooth] {
                 display.set_allow_overdraw(true);

@@ -4,6 +4,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::camera::Camera;
 use super::quotient::quotient;
+use super::tone::channels;
 use super::view::sin_cos;
 use crate::scalar::Scalar;
 use crate::scalar::fit::is_finite;
@@ -124,7 +125,7 @@ impl Lamp {
             0
         };
         let [from_lamp, from_sky, from_ground, shine] =
-            [&self.light.lamp, &self.light.sky, &self.light.ground, &finish.gloss].map(channels);
+            [self.light.lamp, self.light.sky, self.light.ground, finish.gloss].map(channels);
         let light = core::array::from_fn(|k| {
             ((from_ground[k] * (256 - upward) + from_sky[k] * upward + from_lamp[k] * lamp) >> 8) as u16
         });
@@ -155,17 +156,13 @@ impl Lit {
     /// The tone of a surface of this colour.
     #[inline]
     pub(super) fn tone(&self, base: Rgb888) -> Rgb888 {
-        let base = channels(&base);
+        let base = channels(base);
         let [r, g, b] = core::array::from_fn(|k| {
             let lit = ((base[k] * i32::from(self.light[k]) + 128) * 257) >> 16;
             (lit + i32::from(self.gloss[k])).min(255) as u8
         });
         Rgb888::new(r, g, b)
     }
-}
-
-fn channels(tone: &Rgb888) -> [i32; 3] {
-    [tone.r(), tone.g(), tone.b()].map(i32::from)
 }
 
 /// A direction as a unit vector in whole numbers of 32 bits, in 2⁻¹⁴: a tone of 8 bits needs no more, and a Cortex-M0 has no longer products.

@@ -1,9 +1,9 @@
 //! What a colour looks like in more and more light.
 
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::Rgb888;
 
 use super::light::{Light, Lit};
-use super::tone::Shade;
+use super::tone::{Shade, channels};
 
 /// From no light to all of it.
 pub(super) const LEVELS: usize = 128;
@@ -18,13 +18,13 @@ pub(super) struct Ramps<C, const K: usize> {
     /// The most light that there is, of 255, and the levels of a unit of light, · 2¹⁶.
     most: i32,
     unit: i32,
-    ramps: [Option<(Rgb888, [C; LEVELS])>; K],
+    of: [Option<(Rgb888, [C; LEVELS])>; K],
     /// Which of them is made anew next.
     next: usize,
 }
 
 impl<C: Shade, const K: usize> Ramps<C, K> {
-    pub(super) const NONE: Self = Self { light: None, most: 1, unit: 0, ramps: [None; K], next: 0 };
+    pub(super) const NONE: Self = Self { light: None, most: 1, unit: 0, of: [None; K], next: 0 };
 
     /// Forgets what belonged to another light.
     pub(super) fn prepare(&mut self, light: &Light) {
@@ -44,9 +44,9 @@ impl<C: Shade, const K: usize> Ramps<C, K> {
     #[inline]
     pub(super) fn of(&mut self, base: Rgb888) -> &[C; LEVELS] {
         const { assert!(K > 0, "there is a colour at least") };
-        let found = self.ramps.iter().position(|ramp| matches!(ramp, Some((other, _)) if *other == base));
+        let found = self.of.iter().position(|ramp| matches!(ramp, Some((other, _)) if *other == base));
         let index = found.unwrap_or_else(|| self.make(base));
-        match &self.ramps[index.min(K - 1)] {
+        match &self.of[index.min(K - 1)] {
             Some((_, colors)) => colors,
             None => unreachable!("it was found or made"),
         }
@@ -59,7 +59,7 @@ impl<C: Shade, const K: usize> Ramps<C, K> {
         self.next = if index + 1 < K { index + 1 } else { 0 };
         let light = self.light.unwrap_or(Light::new(0.0, 0.0));
         let colors = core::array::from_fn(|level| C::nearest(Lit::of(self.color(&light, level as i32)).tone(base)));
-        self.ramps[index] = Some((base, colors));
+        self.of[index] = Some((base, colors));
         index
     }
 
@@ -82,10 +82,6 @@ impl<C: Shade, const K: usize> Ramps<C, K> {
 fn bright(light: &Light) -> [i32; 3] {
     let [lamp, sky] = [light.lamp, light.sky].map(channels);
     core::array::from_fn(|k| lamp[k] + sky[k])
-}
-
-fn channels(tone: Rgb888) -> [i32; 3] {
-    [tone.r(), tone.g(), tone.b()].map(i32::from)
 }
 
 /// How bright some light is (ITU-R BT.601).

@@ -116,6 +116,11 @@ impl Shade for BinaryColor {
     }
 }
 
+/// Red, green and blue.
+pub(super) fn channels(tone: Rgb888) -> [i32; 3] {
+    [tone.r(), tone.g(), tone.b()].map(i32::from)
+}
+
 /// `from` where `part` is 0, `to` where it is 256.
 pub(super) fn mix(from: Rgb888, to: Rgb888, part: i32) -> Rgb888 {
     let channel = |from: u8, to: u8| (i32::from(from) + (((i32::from(to) - i32::from(from)) * part + 128) >> 8)) as u8;

@@ -182,7 +182,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
             &EffectiveMass::UnitMass(effective_mass) => {
                 self.each(pull, links, x, y, multipliers, |_, multiplier, excess| {
                     (excess - strength.times_divisor(multiplier)).scaled(effective_mass)
-                })
+                });
             }
             EffectiveMass::Any(divisors) => self.each(pull, links, x, y, multipliers, |column, multiplier, excess| {
                 let missing = excess - self.exponent.scaled(strength.times_divisor(multiplier));
