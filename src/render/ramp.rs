@@ -1,6 +1,6 @@
 //! What a colour looks like in more and more light.
 
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::light::{Light, Lit};
 use super::tone::{Shade, channels};
@@ -14,7 +14,8 @@ pub(super) const LEVELS: usize = 128;
 /// common at that level: little light is the ground's, more is the sky's and the lamp's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ramps<C, const K: usize> {
-    light: Option<Light>,
+    /// Of the lamp, the sky and the ground.
+    lights: Option<[Rgb888; 3]>,
     /// The most light that there is, of 255, and the levels of a unit of light, · 2¹⁶.
     most: i32,
     unit: i32,
@@ -24,14 +25,15 @@ pub(super) struct Ramps<C, const K: usize> {
 }
 
 impl<C: Shade, const K: usize> Ramps<C, K> {
-    pub(super) const NONE: Self = Self { light: None, most: 1, unit: 0, of: [None; K], next: 0 };
+    pub(super) const NONE: Self = Self { lights: None, most: 1, unit: 0, of: [None; K], next: 0 };
 
-    /// Forgets what belonged to another light.
-    pub(super) fn prepare(&mut self, light: &Light) {
-        if self.light != Some(*light) {
-            let most = luma(bright(light)).max(1);
+    /// Forgets what belonged to lights of other colours.
+    pub(super) fn prepare(&mut self, &Light { lamp, sky, ground, .. }: &Light) {
+        let lights = [lamp, sky, ground];
+        if self.lights != Some(lights) {
+            let most = luma(bright(lights)).max(1);
             let unit = ((LEVELS as i32 - 1) << 16) / most;
-            *self = Self { light: Some(*light), most, unit, ..Self::NONE };
+            *self = Self { lights: Some(lights), most, unit, ..Self::NONE };
         }
     }
 
@@ -57,15 +59,15 @@ impl<C: Shade, const K: usize> Ramps<C, K> {
     fn make(&mut self, base: Rgb888) -> usize {
         let index = self.next;
         self.next = if index + 1 < K { index + 1 } else { 0 };
-        let light = self.light.unwrap_or(Light::new(0.0, 0.0));
-        let colors = core::array::from_fn(|level| C::nearest(Lit::of(self.color(&light, level as i32)).tone(base)));
+        let lights = self.lights.unwrap_or([Rgb888::BLACK; 3]);
+        let colors = core::array::from_fn(|level| C::nearest(Lit::of(self.color(lights, level as i32)).tone(base)));
         self.of[index] = Some((base, colors));
         index
     }
 
     /// The light at a level.
-    fn color(&self, light: &Light, level: i32) -> [i32; 3] {
-        let [dark, bright] = [channels(light.ground), bright(light)];
+    fn color(&self, lights: [Rgb888; 3], level: i32) -> [i32; 3] {
+        let [dark, bright] = [channels(lights[2]), bright(lights)];
         let (from, to) = (luma(dark), self.most);
         let here = level * self.most / (LEVELS as i32 - 1);
         core::array::from_fn(|k| {
@@ -79,8 +81,8 @@ impl<C: Shade, const K: usize> Ramps<C, K> {
 }
 
 /// The light on what faces the lamp and the sky.
-fn bright(light: &Light) -> [i32; 3] {
-    let [lamp, sky] = [light.lamp, light.sky].map(channels);
+fn bright([lamp, sky, _]: [Rgb888; 3]) -> [i32; 3] {
+    let [lamp, sky] = [lamp, sky].map(channels);
     core::array::from_fn(|k| lamp[k] + sky[k])
 }
 
