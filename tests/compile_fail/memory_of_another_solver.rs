@@ -1,4 +1,4 @@
-//! expected mutable reference `&mut solver::leapfrog::Memory<f32, 4, 4>`
+//! expected mutable reference `&mut solver::leapfrog::LeapfrogMemory<f32, 4, 4>`
 
 use kerchief::{BackwardEuler, Cloth, Leapfrog, Scene, Solver, Units};
 
