@@ -133,7 +133,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         if is_regularised { worst } else { S::ZERO }
     }
 
-    /// Gathers the links of chains. Returns the largest residual.
+    /// Gathers the links of chains. Returns the largest residual, which only fixed point bounds.
     #[inline(always)]
     fn gather_some<const N: usize>(
         &self,
@@ -153,7 +153,9 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 let [here, next] = [place.column::<N, W>(k) + lane, place.column::<N, W>(k + 1) + lane];
                 let (excess, normal) = (y.at(next) - x.at(here)).direction(self.rest);
                 let residual = excess - exponent.scaled(self.strength.times_divisor(multipliers.0[above][here]));
-                worst = worst.max(residual.abs());
+                if S::EXACT_SUMS {
+                    worst = worst.max(residual.abs());
+                }
                 link.normal.set(lane, normal);
                 link.change[lane] = residual;
             }
