@@ -101,6 +101,15 @@ impl<D: DrawTarget<Error = Infallible>> DrawTarget for Lap<'_, D> {
         self.target.draw_iter(pixels)
     }
 
+    fn fill_contiguous<I: IntoIterator<Item = D::Color>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
+        self.note();
+        self.target.fill_contiguous(area, colors)
+    }
+
     fn fill_solid(&mut self, area: &Rectangle, color: D::Color) -> Result<(), Infallible> {
         self.note();
         self.target.fill_solid(area, color)
