@@ -99,15 +99,16 @@ struct Extent {
 }
 
 impl Extent {
-    /// No place is further away, so differences don't overflow.
+    /// No place of a display is further away: differences of places up to there fit 32 bits.
     const EMPTY: Self = Self { low: Point::new_equal(1 << 30), high: Point::new_equal(-(1 << 30)) };
 
     #[inline]
     fn add(&mut self, area: &Rectangle) {
         let (low, high) = (area.top_left, area.top_left + area.size);
         // most of what is drawn lies where something was: in one comparison, since a face's rows are short
-        let beyond = [low.x - self.low.x, low.y - self.low.y, self.high.x - high.x, self.high.y - high.y];
-        if beyond[0] | beyond[1] | beyond[2] | beyond[3] < 0 && !area.is_zero_sized() {
+        let [left, above] = [low.x.wrapping_sub(self.low.x), low.y.wrapping_sub(self.low.y)];
+        let [right, below] = [self.high.x.wrapping_sub(high.x), self.high.y.wrapping_sub(high.y)];
+        if left | above | right | below < 0 && !area.is_zero_sized() {
             self.low = self.low.component_min(low);
             self.high = self.high.component_max(high);
         }
@@ -334,6 +335,17 @@ mod tests {
         canvas.erase(BinaryColor::Off).unwrap();
         line((6, 4), (6, 5)).draw(&mut canvas).unwrap();
         sent(&mut canvas).assert_pattern(&["        ", "        ", "        ", "        ", "   ...#.", "   ...#."]);
+    }
+
+    #[test]
+    fn nothing_is_too_far_away_to_be_drawn() {
+        for at in [i32::MIN, -(1 << 30), 1 << 30, i32::MAX - 1] {
+            for area in [Point::new(at, 2), Point::new(3, at)] {
+                let mut screen = Dirty::new(Buffer::new());
+                screen.fill_solid(&Rectangle::new(area, Size::new(1, 1)), BinaryColor::On).unwrap();
+                assert!(screen.drawn().is_zero_sized(), "{area}");
+            }
+        }
     }
 
     #[test]

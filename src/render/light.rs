@@ -76,10 +76,10 @@ pub struct Finish {
 /// How far the lamp's light reaches around an edge: a wide lamp, not a point. Of 256.
 const WRAP: i32 = 80;
 
-/// `number/(256 + WRAP)`, rounded towards zero, for numbers of 18 bits: by its reciprocal, rounded up.
+/// `number/(256 + WRAP)`, rounded towards zero, by the divisor's reciprocal, rounded up: right for all that a cosine asks for.
 const fn over_wrapped(number: i32) -> i32 {
     const DIVISOR: u32 = 256 + WRAP as u32;
-    // a number of 8 bits after the last eight, which are zero
+    // multiples of 256: four of the bits that are zero are dropped, so that the product fits 32 bits
     let size = number.unsigned_abs();
     let quotient = ((size >> 4) * ((1 << 20) / DIVISOR + 1)) >> 16;
     if number < 0 { -(quotient as i32) } else { quotient as i32 }
@@ -136,7 +136,7 @@ impl Lamp {
 /// The light that a surface gets, channel by channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lit {
-    /// What its colour is multiplied by, where 255 counts as one; up to four.
+    /// What its colour is multiplied by, where 255 counts as one; up to twice that.
     light: [u16; 3],
     /// What its gloss adds.
     gloss: [u8; 3],

@@ -90,3 +90,36 @@ fn bright([lamp, sky, _]: [Rgb888; 3]) -> [i32; 3] {
 fn luma([r, g, b]: [i32; 3]) -> i32 {
     (77 * r + 150 * g + 29 * b) >> 8
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::geometry::Size;
+
+    use super::*;
+    use crate::render::light::{Finish, Normal};
+    use crate::render::{Camera, View};
+    use crate::vec3::Vec3;
+
+    /// In light of one hue there is but one number: the table has the tones of the law of light, to half a level of 2.4 and a rounding.
+    #[test]
+    fn tables_have_the_tones_of_light_of_one_hue() {
+        let [lamp, sky, ground] = [170, 130, 60].map(|grey| Rgb888::new(grey, grey, grey));
+        let light = Light { lamp, sky, ground, ..Light::new(-50.0, 40.0) };
+        let finish = Finish { gloss: Rgb888::BLACK, polish: 0, translucency: 64 };
+        let lamp = light.lamp(&Camera::<f64>::new(&View::new(0.0, 0.0), Size::new(64, 64)));
+        let base = Rgb888::new(200, 100, 50);
+        let mut ramps = Ramps::<Rgb888, 1>::NONE;
+        ramps.prepare(&light);
+        for k in 0..500 {
+            let (turn, rise) = (f64::from(k) * 0.7, f64::from(k) / 250.0 - 1.0);
+            let flat = libm::sqrt(1.0 - rise * rise);
+            let normal = Normal::of(Vec3::<f64>::from_f64([flat * libm::cos(turn), flat * libm::sin(turn), rise]));
+            let level = ramps.level(lamp.lit(&finish, normal));
+            let found = channels(ramps.of(base)[usize::from((level + 128) >> 8)]);
+            let expected = channels(lamp.tone(base, &finish, normal));
+            for (found, expected) in found.into_iter().zip(expected) {
+                assert!((found - expected).abs() <= 2, "{found}, not {expected}: {normal:?}");
+            }
+        }
+    }
+}

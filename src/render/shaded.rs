@@ -23,7 +23,7 @@ use crate::vec3::Vec3;
 ///
 /// Each cell is drawn as `N × N` faces, one unless it is [`smooth`](Self::smooth). A face has one tone, unless tones go from [particle to particle](Self::gouraud).
 ///
-/// Memory: 16 bytes per particle, for where it is seen and the order in which cells are drawn, 32 more where tones go from particle to particle; and the look.
+/// Memory: 16 bytes per particle, for where it is seen and the order in which cells are drawn, 16 more and tables of colours where tones go from particle to particle; and the look.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shaded<L, const W: usize, const H: usize, const N: usize = 1, T = Flat> {
     /// How everything looks.

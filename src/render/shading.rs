@@ -9,7 +9,7 @@ use crate::grid::{Grid, Node};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 
-/// How the faces of a sheet are shaded on displays of the colour `C`: [`Flat`] or [`Gouraud`].
+/// How the faces of a sheet are shaded on displays of the colour `C`: [`Flat`] or [`Gouraud`], and no other.
 pub trait Shading<C, const W: usize, const H: usize> {
     /// Looks at a sheet before it is drawn in this light.
     fn prepare<S: Scalar>(&mut self, particles: &Particles<S, W, H>, lamp: &Lamp);
@@ -50,10 +50,11 @@ impl<C, const W: usize, const H: usize> Shading<C, W, H> for Flat {
     }
 }
 
-/// Tones go from particle to particle (H. Gouraud, *Continuous shading of curved surfaces*, 1971), for patterns of up to `K` colours or few more.
+/// Tones go from particle to particle (H. Gouraud, *Continuous shading of curved surfaces*, 1971), for patterns of up to `K` colours.
 ///
 /// The light on a particle is counted in 128 levels, and each colour of the pattern has a table of what it looks like at each of them. A particle's normal and the levels of both its
-/// sides take 16 bytes, a table of 16-bit colours 260. A pattern of more than `K` colours makes tables anew in every picture.
+/// sides take 16 bytes, a table of 16-bit colours 264.
+/// Patterns of more colours are drawn as well, more slowly: tables are made anew in every picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gouraud<C, const K: usize, const W: usize, const H: usize> {
     normal: Grid<Normal, W, H>,
@@ -108,5 +109,22 @@ impl<C: Shade, const K: usize, const W: usize, const H: usize> Shading<C, W, H> 
             mix(mix(p, q, right), mix(s, t, right), part.row + below)
         };
         Some(([between(0, 0), between(1, 0), between(0, 1), between(1, 1)], ramp))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::pixelcolor::Rgb565;
+
+    use super::*;
+
+    #[test]
+    fn memory_is_what_the_documentation_says() {
+        const PARTICLES: usize = 8 * 12;
+        let [one, four] = [size_of::<Gouraud<Rgb565, 1, 8, 12>>(), size_of::<Gouraud<Rgb565, 4, 8, 12>>()];
+        let table = 264;
+        assert_eq!(four - one, 3 * table, "of three more tables");
+        // besides the lights and the next table
+        assert!((0..48).contains(&(one - 16 * PARTICLES - table)), "{one}");
     }
 }
