@@ -73,14 +73,25 @@ fn emulator() -> Result<PathBuf> {
         Some(base.or_else(|| Some(PathBuf::from(std::env::var_os("HOME")?).join(".cache")))?.join("kerchief"))
     });
     let cache = cache.ok_or("neither HOME nor KERCHIEF_CACHE is set")?;
-    let package = cache.join("node_modules/rp2040js");
-    if !package.exists() {
-        fs::create_dir_all(&cache)?;
-        let npm = ["install", "--silent", "--no-save", "--prefix"];
-        let output = Command::new("npm").args(npm).arg(&cache).arg(EMULATOR).output()?;
-        if !output.status.success() {
-            return Err(format!("npm install {EMULATOR}: {}", String::from_utf8_lossy(&output.stderr)).into());
-        }
+    let installed = cache.join(EMULATOR);
+    if !installed.exists() {
+        install(&cache, &installed)?;
     }
-    Ok(package)
+    Ok(installed.join("rp2040js"))
+}
+
+/// Puts rp2040js beside its place and then there as a whole, since others may want it at the same time and npm may be broken off.
+fn install(cache: &Path, place: &Path) -> Result<()> {
+    fs::create_dir_all(cache)?;
+    let work = tempfile::tempdir_in(cache)?;
+    let npm = ["install", "--silent", "--no-save", "--prefix"];
+    let output = Command::new("npm").args(npm).arg(work.path()).arg(EMULATOR).output()?;
+    if !output.status.success() {
+        return Err(format!("npm install {EMULATOR}: {}", String::from_utf8_lossy(&output.stderr)).into());
+    }
+    match fs::rename(work.path().join("node_modules"), place) {
+        // another was quicker
+        Err(_) if place.exists() => Ok(()),
+        moved => Ok(moved?),
+    }
 }
