@@ -5,6 +5,8 @@ use kerchief::{
     AerodynamicWind, Damped, Drag, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Stretch, Units, measure,
 };
 
+use crate::is_long;
+
 const MINUTE: u32 = 3600;
 const TEN_MINUTES: u32 = 10 * MINUTE;
 const DAY: u32 = 24 * 60 * MINUTE;
@@ -29,7 +31,7 @@ fn blow<S: Scalar>(expected: u32) {
     );
     let scene = Scene::new(&UNITS, forces, links, (), Lines::default());
     let mut memory = scene.memory();
-    let long = std::env::var_os("KERCHIEF_LONG").is_some();
+    let long = is_long();
     // of the free edge's middle: height and distance from the pole, their means over a minute, m
     let (mut means, mut sum) = (Vec::new(), [0.0; 2]);
     for frame in 1..=if long { DAY } else { TEN_MINUTES } {

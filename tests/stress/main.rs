@@ -22,3 +22,8 @@ mod stage;
 mod starts;
 mod thick_air;
 mod torn_chains;
+
+/// Whether the long tier asks (`KERCHIEF_LONG=1`, optimised): each test that is then larger says by what.
+fn is_long() -> bool {
+    std::env::var_os("KERCHIEF_LONG").is_some()
+}

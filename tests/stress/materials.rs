@@ -1,7 +1,8 @@
-//! Materials and steps from one end to the other.
+//! Materials and steps from one end to the other; in the long version closer together.
 
 use kerchief::{Lines, Node, Q13, Q24, Scalar, Solver};
 
+use crate::is_long;
 use crate::ordeal::{Complaints, Ordeal, default_in, default_solver, other_solvers};
 use crate::stage::{CLOTH, Sheet, Stage};
 
@@ -56,7 +57,8 @@ const STEPS: [f64; 4] = [1e-3, 1.0 / 60.0, 0.05, 0.2];
 #[test]
 fn every_stiffness_and_step() {
     let mut complaints = Complaints::default();
-    for stretch in [1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e11] {
+    let stiffnesses: &[f64] = if is_long() { &[1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e11] } else { &[1e-2, 1e2, 1e6, 1e11] };
+    for &stretch in stiffnesses {
         for frame in STEPS {
             let what = format!("{stretch:e} N/m, frames of {frame:.3} s");
             default_solver::<8, 8>(&mut complaints, &what, &Kicked::new(stretch, frame));

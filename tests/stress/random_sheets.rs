@@ -11,6 +11,8 @@ use std::fmt::Write;
 
 use sheet::{Found, Kind, Sheet};
 
+use crate::is_long;
+
 /// What is looked at.
 struct Tier {
     sheets: std::ops::Range<u64>,
@@ -40,7 +42,7 @@ const STRAIN: f64 = 0.02;
 const STRAIN_AT_ONE_PIN: f64 = 0.15;
 
 fn tier() -> Tier {
-    if std::env::var_os("KERCHIEF_LONG").is_some() { LONG } else { SHORT }
+    if is_long() { LONG } else { SHORT }
 }
 
 /// Every run of the tier with the same sheet in steps a sixteenth as long, which `f32` does for all number types.

@@ -178,7 +178,7 @@ fn worse<S: Scalar>(scene: &Scene, model: &Model, start: &State, exact: &State) 
 fn config() -> ProptestConfig {
     let asked = std::env::var_os("PROPTEST_CASES").is_some();
     let usual = ProptestConfig::default();
-    let (cases, rng_seed) = if asked { (usual.cases, usual.rng_seed) } else { (40, RngSeed::Fixed(1)) };
+    let (cases, rng_seed) = if asked { (usual.cases, usual.rng_seed) } else { (20, RngSeed::Fixed(1)) };
     ProptestConfig { cases, rng_seed, failure_persistence: None, ..usual }
 }
 

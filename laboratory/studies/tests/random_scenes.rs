@@ -197,7 +197,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(100))]
+    #![proptest_config(config(40))]
 
     #[test]
     fn no_bits_of_a_state_panic(bits in proptest::collection::vec(any::<u32>(), state::NUMBERS)) {
