@@ -51,7 +51,7 @@ const RISE: u32 = RATE / 2;
 /// Air at rest.
 const CALM: PanelFlow = SHEET.units.panel_wind([0.0; 3], 1.2, 1.2);
 /// The same, in which a cloth comes to rest soon.
-const THICK: PanelFlow = SHEET.units.panel_wind([0.0; 3], 1.2, 12.0);
+const THICK: PanelFlow = SHEET.units.panel_wind([0.0; 3], 1.2, 40.0);
 
 type Forces = (Gravity<Q13>, PanelWind<Q13>);
 type Springs = (Stretch<Q13>, Shear<Q13>);
