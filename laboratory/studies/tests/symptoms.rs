@@ -3,7 +3,7 @@
 use std::fs;
 
 use instances::simulation;
-use kerchief::host::{Description, ScalarKind, Simulation};
+use kerchief::host::{Description, ScalarKind, Simulation, SolverKind};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
@@ -74,6 +74,39 @@ fn shakes() {
     steady.solver.sweeps = Some(4);
     let steady = course(&steady);
     assert!(steady.speed < 1e-3, "{} m/s with four sweeps", steady.speed);
+}
+
+#[test]
+fn trembles() {
+    let [ill, cured] = both("trembles");
+    assert!(ill.speed > 0.05 && cured.speed < 1e-3, "{} m/s {} m/s", ill.speed, cured.speed);
+    let mut harder = scene("trembles");
+    harder.solver.sweeps = Some(8);
+    let harder = course(&harder);
+    assert!(harder.speed > ill.speed, "{} m/s with eight sweeps", harder.speed);
+    let mut implicit = scene("trembles");
+    implicit.solver.kind = SolverKind::BackwardEuler;
+    let implicit = course(&implicit);
+    assert!(implicit.speed < 1e-3, "{} m/s by backward Euler", implicit.speed);
+}
+
+#[test]
+fn turns() {
+    let [ill, cured] = both("turns");
+    assert!(ill.speed > 0.01 && cured.speed < 1e-3, "{} m/s {} m/s", ill.speed, cured.speed);
+    let by = |kind, substeps| {
+        let mut other = scene("turns");
+        (other.solver.kind, other.solver.substeps) = (kind, substeps);
+        course(&other).speed
+    };
+    let finer = ill.speed / by(SolverKind::Lines, 32);
+    assert!((2.5..4.5).contains(&finer), "{finer} times as fast as with twice the substeps");
+    for kind in [SolverKind::Xpbd, SolverKind::Verlet] {
+        let speed = by(kind, 16);
+        assert!(speed > 0.01, "{speed} m/s by {}", kind.name());
+    }
+    let implicit = by(SolverKind::BackwardEuler, 16);
+    assert!(implicit < 1e-3, "{implicit} m/s by backward Euler");
 }
 
 #[test]
