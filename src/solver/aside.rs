@@ -85,10 +85,8 @@ pub(super) fn displace_node<S: Scalar, const W: usize, const H: usize>(
     by: Vec3<S>,
     moment: Moment,
 ) {
-    particles.position.add(node, by);
-    if !S::EXACT_SUMS {
-        particles.velocity.add(node, moment.velocity(by));
-    }
+    let (position, velocity) = (&mut particles.position.0[node.row], &mut particles.velocity.0[node.row]);
+    displace(position, velocity, node.column, by, moment);
 }
 
 /// The same for all particles of a row.
