@@ -101,6 +101,10 @@ fn turns() {
     };
     let finer = ill.speed / by(SolverKind::Lines, 32);
     assert!((2.5..4.5).contains(&finer), "{finer} times as fast as with twice the substeps");
+    let mut swept = scene("turns");
+    swept.solver.sweeps = Some(16);
+    let swept = course(&swept).speed / ill.speed;
+    assert!((0.6..0.9).contains(&swept), "{swept} times as fast with sixteen sweeps");
     for kind in [SolverKind::Xpbd, SolverKind::Verlet] {
         let speed = by(kind, 16);
         assert!(speed > 0.01, "{speed} m/s by {}", kind.name());
