@@ -127,6 +127,27 @@ mod tests {
     }
 
     #[test]
+    fn looking_at_rows_that_are_near_finds_all() {
+        const EVERYWHERE: [Place; 2] = [[i64::MIN; 3], [i64::MAX; 3]];
+        let mut sheet = Cloth::<f64, 6, 3>::lay(&UNITS, UNITS.point([0.0; 3]));
+        let mut seed = 1_u32;
+        let mut random = || {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(seed >> 8) / PARTS
+        };
+        let mut found = 0;
+        for _ in 0..50 {
+            sheet.position.change(|x| x + Vec3::from_f64([random(), 3.0 * random(), random()]));
+            let place = |node| sheet.position.at(node).to_f64().map(|x| (x * PARTS) as i64);
+            let places: [Place; 18] = array::from_fn(|k| place(Node { column: k % 6, row: k / 6 }));
+            let count = intersections(&sheet);
+            assert_eq!(count, super::count(&places, 6, &[EVERYWHERE; 3]));
+            found += count;
+        }
+        assert!(found > 100, "{found}");
+    }
+
+    #[test]
     fn an_edge_passes_through_a_triangle_or_beside_it() {
         let triangle = [[0, 0, 0], [4, 0, 0], [0, 4, 0]];
         assert!(passes_through([[1, 1, -1], [1, 1, 1]], triangle));

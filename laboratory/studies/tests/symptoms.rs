@@ -3,7 +3,7 @@
 use std::fs;
 
 use instances::simulation;
-use kerchief::host::{Description, ScalarKind, Simulation, SolverKind};
+use kerchief::host::{Description, ScalarKind, Simulation, Solver, SolverKind};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
@@ -45,6 +45,13 @@ fn both(name: &str) -> [Course; 2] {
     [course(&scene(name)), course(&scene(&format!("{name}-cured")))]
 }
 
+/// The largest speed at the end of a scene whose solver is another, m/s.
+fn speed(name: &str, change: impl FnOnce(&mut Solver)) -> f64 {
+    let mut scene = scene(name);
+    change(&mut scene.solver);
+    course(&scene).speed
+}
+
 #[test]
 fn explodes() {
     let [ill, cured] = both("explodes");
@@ -70,46 +77,33 @@ fn shakes() {
     let [ill, cured] = both("shakes");
     assert!(ill.speed > 0.05 && cured.speed < 1e-3, "{} m/s {} m/s", ill.speed, cured.speed);
     // as many sweeps in every substep: what a changing number of them shakes, a constant one brings to rest
-    let mut steady = scene("shakes");
-    steady.solver.sweeps = Some(4);
-    let steady = course(&steady);
-    assert!(steady.speed < 1e-3, "{} m/s with four sweeps", steady.speed);
+    let steady = speed("shakes", |solver| solver.sweeps = Some(4));
+    assert!(steady < 1e-3, "{steady} m/s with four sweeps");
 }
 
 #[test]
 fn trembles() {
     let [ill, cured] = both("trembles");
     assert!(ill.speed > 0.05 && cured.speed < 1e-3, "{} m/s {} m/s", ill.speed, cured.speed);
-    let mut harder = scene("trembles");
-    harder.solver.sweeps = Some(8);
-    let harder = course(&harder);
-    assert!(harder.speed > ill.speed, "{} m/s with eight sweeps", harder.speed);
-    let mut implicit = scene("trembles");
-    implicit.solver.kind = SolverKind::BackwardEuler;
-    let implicit = course(&implicit);
-    assert!(implicit.speed < 1e-3, "{} m/s by backward Euler", implicit.speed);
+    let harder = speed("trembles", |solver| solver.sweeps = Some(8));
+    assert!(harder > ill.speed, "{harder} m/s with eight sweeps");
+    let implicit = speed("trembles", |solver| solver.kind = SolverKind::BackwardEuler);
+    assert!(implicit < 1e-3, "{implicit} m/s by backward Euler");
 }
 
 #[test]
 fn turns() {
     let [ill, cured] = both("turns");
     assert!(ill.speed > 0.01 && cured.speed < 1e-3, "{} m/s {} m/s", ill.speed, cured.speed);
-    let by = |kind, substeps| {
-        let mut other = scene("turns");
-        (other.solver.kind, other.solver.substeps) = (kind, substeps);
-        course(&other).speed
-    };
-    let finer = ill.speed / by(SolverKind::Lines, 32);
+    let finer = ill.speed / speed("turns", |solver| solver.substeps = 32);
     assert!((2.5..4.5).contains(&finer), "{finer} times as fast as with twice the substeps");
-    let mut swept = scene("turns");
-    swept.solver.sweeps = Some(16);
-    let swept = course(&swept).speed / ill.speed;
+    let swept = speed("turns", |solver| solver.sweeps = Some(16)) / ill.speed;
     assert!((0.6..0.9).contains(&swept), "{swept} times as fast with sixteen sweeps");
     for kind in [SolverKind::Xpbd, SolverKind::Verlet] {
-        let speed = by(kind, 16);
+        let speed = speed("turns", |solver| solver.kind = kind);
         assert!(speed > 0.01, "{speed} m/s by {}", kind.name());
     }
-    let implicit = by(SolverKind::BackwardEuler, 16);
+    let implicit = speed("turns", |solver| solver.kind = SolverKind::BackwardEuler);
     assert!(implicit < 1e-3, "{implicit} m/s by backward Euler");
 }
 
