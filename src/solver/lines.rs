@@ -13,7 +13,7 @@
 //! **In space** a sweep solves the other families, all rows and all columns, one after the other; after each sweep, particles are moved out of colliders. Rows, columns and
 //! the diagonals of the cells are chains, each solved exactly ([`chain`], [`diagonal`]); diagonals up to κ = k·h²/m = 32 and all other links are relaxed
 //! one by one ([`pairs`]). Families pull each other out of shape, so sweeps go on until one finds every row within the tolerance: where the sheet swings two are
-//! enough, where it snaps taut more are spent; once it is calm their number is [kept](sweeps). All multipliers start from nothing: on a stiff sheet a part of the last ones
+//! enough, where it snaps taut more are spent, and [kept](sweeps) until a bounce is over. All multipliers start from nothing: on a stiff sheet a part of the last ones
 //! does not die away, and shakes it.
 //!
 //! **Steps too long for sweeps** are [split]: what a sweep leaves shrinks by 1 − c/N² on a grid of N particles a side, but with the square of the step.
@@ -32,6 +32,7 @@ mod relax;
 mod rows;
 mod rule;
 mod split;
+mod streak;
 mod sweeps;
 mod tridiagonal;
 mod two_step;
@@ -54,6 +55,7 @@ use pull::Viscous;
 use relax::Relax;
 use rule::TimeRule;
 use split::{Outcome, Split};
+use streak::is_easy;
 use sweeps::Kept;
 
 /// Second order in time, exact along rows, columns and stiff diagonals: the solver for sheets that hardly stretch, an answer to the question of super-elasticity
@@ -111,14 +113,8 @@ impl Default for Lines {
 /// The most sweeps before a substep is split rather than swept on, unless more are asked for: what more of them do is done better by shorter steps.
 const PATIENCE: u32 = 4;
 
-/// A calm sheet takes a sweep fewer where the last but one has found rows within the tolerance over 2 to this power.
-const PLENTY: u32 = 5;
-
 /// The strain in a row, found by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
-
-/// How far particles move at most in a substep of a sheet that is calm, cells.
-const CALM: f64 = 0.02;
 
 /// What a sheet's motion leaves behind.
 #[derive(Clone, Copy, Debug)]
@@ -264,16 +260,13 @@ impl Lines {
         let viscous = Viscous::damp(pull.as_mut(), *history, links, particles, &rule);
         let mut contacts = Contacts { colliders, start: start.as_ref(), earlier, moment: rule.moment };
         let swept = self.sweep(links, particles, multipliers.as_mut(), &rule, &mut contacts, &budget);
-        // fixed point holds no larger speeds than those of 512 substeps
-        let calm = swept.count > budget.least && is_slow(particles, CALM, moment.shift.min(9));
         links.confine(particles, rule.moment);
         contacts.resolve(particles, false);
         if let Some(viscous) = viscous {
             viscous.complete(links, particles, &rule);
         }
 
-        // the least number of sweeps needs no keeping
-        memory.kept = if calm { memory.kept.after(swept.count, swept.plenty) } else { Kept::NONE };
+        memory.kept = memory.kept.after(swept.count, budget.least, swept.easy);
         memory.history = if swept.residual > S::from_f64(ROUGH) { History::Rough } else { History::Velocity };
         memory.residual = memory.residual.max(swept.residual);
         Outcome { mendable: swept.mendable, few: swept.count <= budget.least }
@@ -319,7 +312,7 @@ impl Lines {
             count,
             residual: found,
             mendable: if gains_by_splitting(found) { found } else { S::ZERO },
-            plenty: before < tolerance.halve(PLENTY),
+            easy: is_easy(before, tolerance),
         }
     }
 }
@@ -328,7 +321,7 @@ impl Lines {
 struct Budget {
     /// At least so many.
     least: u32,
-    /// So many, whatever they find: a calm sheet's are kept.
+    /// So many, whatever they find: those that are kept.
     wanted: u32,
     /// So many at most.
     most: u32,
@@ -342,14 +335,6 @@ struct Swept<S> {
     residual: S,
     /// The same as far as shorter steps leave less: what is overstretched comes together by sweeps, and shorter steps would throw it.
     mendable: S,
-    /// Whether fewer sweeps would have done.
-    plenty: bool,
-}
-
-/// Whether no particle moves by so many cells in the 2^shift-th part of a tick. In motion one of the first does.
-#[inline(never)] // one for all scenes
-fn is_slow<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, cells: f64, shift: u32) -> bool {
-    let most = S::from_f64(cells).double(shift);
-    let slow = |speeds: &[S; W]| speeds.iter().fold(S::ZERO, |most, speed| most.max(speed.abs())) < most;
-    particles.velocity.0.iter().all(|row| slow(&row.x) && slow(&row.y) && slow(&row.z))
+    /// Whether one sweep fewer would have done.
+    easy: bool,
 }

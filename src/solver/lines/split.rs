@@ -3,15 +3,14 @@
 //! A sweep leaves 1 − c/N² of what it finds on a grid of N particles a side, so where a step is long for the grid, no affordable number of sweeps converges. What they leave
 //! acts as a soft spring in the place of a stiff one, stretches the sheet and gives it energy. What is to be solved in a step, however, shrinks with its square: two half steps with
 //! one sweep each are worth more than a step with any number of them. So when the sweeps of a substep end with a row strained by more than twice the tolerance, the next substep
-//! is made in four times as many equal parts, with as many sweeps fewer in each. When parts have been solved easily for a while, every two of them are joined again.
+//! is made in four times as many equal parts, with as many sweeps fewer in each. After a [streak](super::streak) of substeps that were solved easily every two parts are joined again.
 //!
 //! Parts are substeps in all respects: nothing is stiffened or damped that a shorter step of the caller would not. After a change the rule in time starts as after a
 //! rough substep, by backward Euler.
 
 use crate::scalar::Scalar;
 
-/// The substeps in a row that must be solved easily before parts are joined.
-const EASY: u8 = 8;
+use super::streak::{Streak, is_easy};
 
 /// What the sweeps of a substep, or of its parts, came to.
 #[derive(Clone, Copy, Debug)]
@@ -40,16 +39,16 @@ const fn longer(side: usize) -> u32 {
 /// Into how many parts substeps are split.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(into = "[u8; 2]", try_from = "[u8; 2]"))]
 pub(super) struct Split {
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "bounded"))]
     halvings: u8,
-    /// For how many substeps parts have been solved easily.
-    easy: u8,
+    /// Substeps whose parts were solved easily.
+    easy: Streak,
 }
 
 impl Split {
     /// Not at all: nothing but zeros, so that a solver's memory needs no copy of its start.
-    pub(super) const NONE: Self = Self { halvings: 0, easy: 0 };
+    pub(super) const NONE: Self = Self { halvings: 0, easy: Streak::NONE };
 
     /// For the start of a sheet with a side of so many particles: a large one is not given the time to stretch.
     pub(super) const fn start(side: usize, most_sweeps: u32) -> Self {
@@ -71,37 +70,22 @@ impl Split {
         most_sweeps: u32,
     ) -> bool {
         let before = self.halvings;
-        // parts twice as long have residuals up to four times as large; joined at more than a sixteenth of what splits them, some are split again at once, and shake
-        let easy = outcome.few && outcome.mendable < tolerance.halve(3);
-        self.easy = if easy { self.easy + 1 } else { 0 };
+        let join = self.easy.is_over(outcome.few && is_easy(outcome.mendable, tolerance));
         if outcome.mendable > tolerance.double(1) {
             let most = longer(side) + most_sweeps.max(1).ilog2();
             self.halvings = (before + 2).min(most as u8);
-        } else if self.easy == EASY {
-            *self = Self { halvings: before.saturating_sub(1), easy: 0 };
+        } else if join {
+            self.halvings = before.saturating_sub(1);
         }
         self.halvings != before
     }
 }
 
-#[cfg(feature = "serde")]
-impl From<Split> for [u8; 2] {
-    fn from(Split { halvings, easy }: Split) -> Self {
-        [halvings, easy]
-    }
-}
-
 /// Further no substep is split: with more parts than that a damaged memory would never end a step.
 #[cfg(feature = "serde")]
-const MOST: u8 = 16;
-
-#[cfg(feature = "serde")]
-impl TryFrom<[u8; 2]> for Split {
-    type Error = &'static str;
-
-    fn try_from([halvings, easy]: [u8; 2]) -> Result<Self, Self::Error> {
-        if halvings <= MOST && easy < EASY { Ok(Self { halvings, easy }) } else { Err("no solver counts that far") }
-    }
+fn bounded<'de, D: serde::Deserializer<'de>>(from: D) -> Result<u8, D::Error> {
+    let halvings: u8 = serde::Deserialize::deserialize(from)?;
+    if halvings <= 16 { Ok(halvings) } else { Err(serde::de::Error::custom("no substep is split that far")) }
 }
 
 #[cfg(test)]
@@ -121,16 +105,16 @@ mod tests {
 
     #[test]
     fn parts_are_joined_one_by_one_where_all_is_easy() {
-        let mut split = Split { halvings: 2, easy: 0 };
+        let mut split = Split { halvings: 2, ..Split::NONE };
         let mut run = |residual, few, substeps| {
             (0..substeps).for_each(|_| _ = split.learn(&Outcome { mendable: residual, few }, 0.02, 32, 16));
             split.halvings()
         };
-        assert_eq!(run(0.002, true, 7), 2);
+        assert_eq!(run(0.002, true, 31), 2);
         // neither what is near the tolerance nor what takes sweeps is easy
-        assert_eq!(run(0.01, true, 20), 2);
-        assert_eq!(run(0.002, false, 20), 2);
-        assert_eq!(run(0.002, true, 8), 1);
-        assert_eq!(run(0.002, true, 20), 0);
+        assert_eq!(run(0.01, true, 80), 2);
+        assert_eq!(run(0.002, false, 80), 2);
+        assert_eq!(run(0.002, true, 32), 1);
+        assert_eq!(run(0.002, true, 80), 0);
     }
 }

@@ -1,28 +1,36 @@
-//! How many sweeps a sheet that hardly moves takes.
+//! How many sweeps a substep has at least.
 //!
-//! A constant number of sweeps brings a sheet to rest. One that rises and falls makes it jump between the states in which different numbers leave it: jumps that strain
-//! rows by more than the tolerance, which calls for more sweeps, which still them, which calls for fewer. So while a sheet is calm, their number does not fall until the
-//! last sweep but one has found rows within a small part of the tolerance. In motion it is free: what is stretched with few sweeps and let go with more gives back
-//! more than was put in.
+//! Their number rises at once where rows are strained, and falls one by one, each time after a [streak](super::streak) in which one sweep fewer would have done. A constant number
+//! brings a sheet to rest; one that rises and falls with the strain makes it bounce.
 
-/// The sweeps that a calm sheet takes at least; 0 where they change as they need. All zeros at first, so that a solver's memory needs no copy of its start.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+use super::streak::Streak;
+
+/// The sweeps that a substep has at least; 0 where the least number that the caller asks for is enough.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Kept(u8);
+pub(super) struct Kept {
+    sweeps: u8,
+    easy: Streak,
+}
 
 impl Kept {
-    /// None.
-    pub(super) const NONE: Self = Self(0);
+    /// None: nothing but zeros, so that a solver's memory needs no copy of its start.
+    pub(super) const NONE: Self = Self { sweeps: 0, easy: Streak::NONE };
 
     /// Their number.
     pub(super) fn number(self) -> u32 {
-        u32::from(self.0)
+        u32::from(self.sweeps)
     }
 
-    /// After a substep with so many sweeps, which may have been plenty.
-    pub(super) fn after(self, sweeps: u32, plenty: bool) -> Self {
+    /// After so many sweeps where the caller asks for `least`; whether one fewer would have done.
+    pub(super) fn after(self, sweeps: u32, least: u32, easy: bool) -> Self {
+        if sweeps <= least {
+            return Self::NONE;
+        }
         let sweeps = sweeps.min(u32::from(u8::MAX)) as u8;
-        Self(sweeps.max(self.0).saturating_sub(u8::from(plenty)))
+        let mut streak = if sweeps > self.sweeps { Streak::NONE } else { self.easy };
+        let fewer = u8::from(streak.is_over(easy));
+        Self { sweeps: sweeps - fewer, easy: streak }
     }
 }
 
@@ -30,22 +38,29 @@ impl Kept {
 mod tests {
     use super::*;
 
-    /// What is kept after some substeps.
-    fn kept(sweeps: &[u32], plenty: bool) -> u32 {
-        sweeps.iter().fold(Kept::NONE, |kept, &sweeps| kept.after(sweeps.max(kept.number()), plenty)).number()
+    /// What is kept after substeps that need so many sweeps.
+    fn kept(needed: &[u32], easy: bool) -> u32 {
+        let after = |kept: Kept, &needed: &u32| kept.after(needed.max(kept.number()), 2, easy);
+        needed.iter().fold(Kept::NONE, after).number()
     }
 
     #[test]
-    fn a_number_rises_and_does_not_fall() {
+    fn the_least_number_needs_no_keeping() {
+        assert_eq!(kept(&[2; 99], false), 0);
+    }
+
+    #[test]
+    fn a_number_rises_at_once_and_stays() {
         assert_eq!(kept(&[2, 3, 2, 2, 2], false), 3);
         assert_eq!(kept(&[2, 3, 2, 6, 2], false), 6);
+        assert_eq!(kept(&[6, 2, 2, 2, 2], true), 6);
     }
 
     #[test]
-    fn a_number_that_is_plenty_falls_one_by_one() {
-        assert_eq!(kept(&[6], true), 5);
-        assert_eq!(kept(&[6, 2, 2], true), 3);
-        assert_eq!(kept(&[6, 2, 2, 2, 2, 2, 2, 2], true), 1);
+    fn what_has_been_easy_for_long_falls_one_by_one() {
+        assert_eq!(kept(&[&[6][..], &[2; 40]].concat(), true), 5);
+        assert_eq!(kept(&[&[6][..], &[2; 70]].concat(), true), 4);
+        assert_eq!(kept(&[&[6][..], &[2; 200]].concat(), true), 0);
     }
 
     #[test]
