@@ -14,7 +14,7 @@
 //! the diagonals of the cells are chains, each solved exactly ([`chain`], [`diagonal`]); diagonals up to κ = k·h²/m = 32 and all other links are relaxed
 //! one by one ([`pairs`]). Families pull each other out of shape, so sweeps go on until one finds every row within the tolerance: where the sheet swings two are
 //! enough, where it snaps taut more are spent, and [kept](sweeps) until a bounce is over. All multipliers start from nothing: on a stiff sheet a part of the last ones
-//! does not die away, and shakes it.
+//! does not die away, and shakes it. They are looked at in the first sweep all the same, to tell what springs hold from what is left unsolved.
 //!
 //! **Steps too long for sweeps** are [split]: what a sweep leaves shrinks by 1 − c/N² on a grid of N particles a side, but with the square of the step.
 
@@ -154,7 +154,7 @@ impl<S: Scalar, T: Blank, P: Blank, const W: usize, const H: usize> LinesMemory<
 
 impl<S: Scalar, T, P, const W: usize, const H: usize> LinesMemory<S, T, P, W, H> {
     /// What the sweeps of the last substep left: the largest strain of a row that a last sweep found before it solved the row; of a substep that was split, the largest of all
-    /// its parts. Of a single sweep it is all strain that there is, of soft springs as well.
+    /// its parts. What springs hold themselves is left out; of a single sweep, what they held before it.
     ///
     /// Up to twice the [tolerance](Lines::tolerance) a substep is as accurate as its step allows. Where it stays above, the sheet has all the sweeps and parts that it may have,
     /// and more of either ([`Lines::most_sweeps`]) or shorter steps would change what it does.
@@ -233,6 +233,8 @@ impl<S: Scalar> Solver<S> for Lines {
         if memory.split.learn(&outcome, S::from_f64(self.tolerance), W.max(H), self.most_sweeps) {
             memory.history = History::Rough;
             memory.kept = Kept::NONE;
+            // those of a part of another length
+            memory.multipliers.as_mut().fill(Grid::filled(S::ZERO));
         }
     }
 }
@@ -292,7 +294,6 @@ impl Lines {
     ) -> Swept<S> {
         aside::set_all_aside(particles, rule.moment);
         let mut relax = Relax::new(particles, multipliers, rule.moment, rule.stiffness);
-        relax.forget();
         // neither overstretched links nor light particles gain by shorter steps
         let none_is_light = relax.none_is_light;
         let gains_by_splitting = |found: S| found <= S::ONE && none_is_light;

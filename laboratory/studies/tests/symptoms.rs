@@ -75,20 +75,8 @@ fn slides_off() {
 #[test]
 fn shakes() {
     let [ill, cured] = both("shakes");
-    assert!(ill.speed > 0.05 && cured.speed < 1e-3, "{} m/s {} m/s", ill.speed, cured.speed);
-    // as many sweeps in every substep: what a changing number of them shakes, a constant one brings to rest
-    let steady = speed("shakes", |solver| solver.sweeps = Some(4));
-    assert!(steady < 1e-3, "{steady} m/s with four sweeps");
-}
-
-#[test]
-fn trembles() {
-    let [ill, cured] = both("trembles");
-    assert!(ill.speed > 0.05 && cured.speed < 1e-3, "{} m/s {} m/s", ill.speed, cured.speed);
-    let harder = speed("trembles", |solver| solver.sweeps = Some(8));
-    assert!(harder > ill.speed, "{harder} m/s with eight sweeps");
-    let implicit = speed("trembles", |solver| solver.kind = SolverKind::BackwardEuler);
-    assert!(implicit < 1e-3, "{implicit} m/s by backward Euler");
+    assert!(ill.speed > 0.02 && cured.speed < 1e-3, "{} m/s {} m/s", ill.speed, cured.speed);
+    assert!(cured.end.strains().stretch.unwrap().largest < 0.01);
 }
 
 #[test]

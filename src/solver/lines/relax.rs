@@ -74,12 +74,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         }
     }
 
-    /// Starts every link from nothing.
-    pub(super) fn forget(&mut self) {
-        self.multipliers.fill(Grid::filled(S::ZERO));
-    }
-
-    /// Relaxes every link once. Returns the largest strain of a row that it found.
+    /// Relaxes every link once, in the `first` sweep of a substep from nothing. Returns the largest strain of a row that it found.
     pub(super) fn sweep<L: Links<S>>(&mut self, links: &L, first: bool) -> S {
         (self.first, self.residual) = (first, S::ZERO);
         for pass in [Pass::Others, Pass::Lines] {
@@ -117,8 +112,11 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         let Self { moment, rounding, ref unit_mass, exponent, span, .. } = *self;
         let chain = Chain { rest: &family.rest, strength, moment, rounding, unit_mass, exponent, span };
         let worst = if const { DOWN == 0 } {
-            chain.rows(self.particles, multipliers)
+            chain.rows(self.particles, multipliers, self.first)
         } else {
+            if self.first {
+                *multipliers = Grid::filled(S::ZERO);
+            }
             chain.columns(self.particles, multipliers)
         };
         self.residual = self.residual.max(worst * family.rest.inverse);
@@ -126,11 +124,17 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
 
     fn others<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>, slot: usize) {
         let strength = family.strength.scaled(self.stiffness);
+        let slots = slot..slot + directions::<ACROSS, DOWN>();
+        if self.first
+            && let Some(multipliers) = self.multipliers.get_mut(slots.clone())
+        {
+            multipliers.fill(Grid::filled(S::ZERO));
+        }
         if const { ACROSS == 1 && DOWN == 1 } && strength.divisor.double(STIFF) < strength.dividend {
             return self.diagonals(family, slot);
         }
         let pairs = Pairs::new(family, strength, self.moment, self.rounding, &self.unit_mass.rows, self.exponent);
-        let memory = self.multipliers.get_mut(slot..slot + directions::<ACROSS, DOWN>());
+        let memory = self.multipliers.get_mut(slots);
         // without a memory a second time would count twice
         if memory.is_none() && !self.first {
             return;

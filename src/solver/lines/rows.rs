@@ -18,8 +18,10 @@ use super::tridiagonal::twisted;
 /// A row of links, at their left particles.
 struct Row<S, const W: usize> {
     normal: Vec3<[S; W]>,
-    /// What is missing of each: its excess length but for what its multiplier accounts for.
+    /// The excess length of each but for what the multiplier accounts for from which it is solved: the last sweep's, or nothing in the first sweep.
     residual: [S; W],
+    /// The same but for what the last multiplier accounts for, be it of the substep before: what is left unsolved, which springs don't hold.
+    unsolved: [S; W],
 }
 
 /// The matrix of a row.
@@ -30,9 +32,9 @@ struct Coefficients<S, const W: usize> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
-    /// Solves every row. Returns the largest difference between a link's length and rest length that it found.
+    /// Solves every row, in the `first` sweep of a substep from nothing. Returns the largest excess length that it found and springs did not hold before.
     #[inline(never)] // one for all scenes of a grid
-    pub(super) fn rows(&self, particles: &mut Particles<S, W, H>, multipliers: &mut Grid<S, W, H>) -> S {
+    pub(super) fn rows(&self, particles: &mut Particles<S, W, H>, multipliers: &mut Grid<S, W, H>, first: bool) -> S {
         let mut worst = S::ZERO;
         if W > 1 {
             for row in 0..H {
@@ -41,9 +43,9 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 }
                 let multipliers = &mut multipliers.0[row];
                 worst = worst.max(if const { skips_masses::<S>() } && self.unit_mass.rows[row] {
-                    self.row::<true>(particles, row, multipliers)
+                    self.row::<true>(particles, row, multipliers, first)
                 } else {
-                    self.row::<false>(particles, row, multipliers)
+                    self.row::<false>(particles, row, multipliers, first)
                 });
             }
         }
@@ -57,12 +59,14 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         particles: &mut Particles<S, W, H>,
         row: usize,
         multipliers: &mut [S; W],
+        first: bool,
     ) -> S {
         let exponent = self.exponent::<UNIT_MASS>();
         let w = particles.inverse_mass.0[row].map(|w| exponent.scaled(w));
-        let mut links = Row { normal: Vec3::row(Vec3::ZERO), residual: [S::ZERO; W] };
-        self.gather(&mut links, &particles.position.0[row], multipliers, exponent);
-        let worst = links.residual.iter().fold(S::ZERO, |worst, residual| worst.max(residual.abs()));
+        let mut links = Row { normal: Vec3::row(Vec3::ZERO), residual: [S::ZERO; W], unsolved: [S::ZERO; W] };
+        self.gather(&mut links, &particles.position.0[row], multipliers, first, exponent);
+        let found = largest(&links.unsolved);
+        let worst = if first { largest(&links.residual) } else { found };
         let divisor = self.divisor::<UNIT_MASS, W>(worst, || regularisation(&links.residual, &w, W));
         let matrix = self.coefficients::<UNIT_MASS>(&links.normal, &w, divisor);
         let change: [S; W] =
@@ -74,19 +78,30 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             let by = geometric_stiffness(&links.normal, &tensions, &w, W, self.rest.inverse, exponent);
             displace_row(particles, row, |k| by.at(k), self.moment);
         }
-        worst
+        found
     }
 
     /// Gathers the links between these particles where they are used: what is returned is copied on a Cortex-M.
     #[inline(always)]
-    fn gather(&self, links: &mut Row<S, W>, x: &Vec3<[S; W]>, multipliers: &[S; W], exponent: Exponent) {
+    fn gather(
+        &self,
+        links: &mut Row<S, W>,
+        x: &Vec3<[S; W]>,
+        multipliers: &mut [S; W],
+        first: bool,
+        exponent: Exponent,
+    ) {
         let next = ahead::<1, S, W>(x);
         for k in columns::<1, 0, W>() {
             let (excess, along) = (next(k) - x.at(k)).direction(self.rest);
-            links.residual[k] = excess - exponent.scaled(self.strength.times_divisor(multipliers[k]));
+            links.unsolved[k] = excess - exponent.scaled(self.strength.times_divisor(multipliers[k]));
+            links.residual[k] = if first { excess } else { links.unsolved[k] };
             links.normal.set(k, along);
         }
-        links.residual[W - 1] = S::ZERO;
+        (links.residual[W - 1], links.unsolved[W - 1]) = (S::ZERO, S::ZERO);
+        if first {
+            *multipliers = [S::ZERO; W];
+        }
     }
 
     /// The matrix of links with these directions between particles of these inverse masses.
@@ -131,4 +146,10 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         };
         displace_row(particles, row, by, self.moment);
     }
+}
+
+/// The largest of these, whatever its sign.
+#[inline(always)]
+fn largest<S: Scalar, const W: usize>(residuals: &[S; W]) -> S {
+    residuals.iter().fold(S::ZERO, |most, residual| most.max(residual.abs()))
 }

@@ -1,0 +1,87 @@
+//! Damped sheets come to rest: random cloth by every solver in every number type, with the default `[rest]`.
+//!
+//! `PROPTEST_CASES=500 cargo test --release -p laboratory --test random_rest` looks longer.
+
+use std::fmt::Write;
+
+use instances::simulation;
+use kerchief::host::{Description, ScalarKind, SolverKind};
+use proptest::prelude::*;
+use proptest::sample::select;
+use proptest::test_runner::RngSeed;
+
+/// How long a sheet may take, s.
+const PATIENCE: f64 = 120.0;
+
+/// Solvers that are stable for any step.
+const SOLVERS: [SolverKind; 4] = [SolverKind::Lines, SolverKind::Xpbd, SolverKind::Verlet, SolverKind::BackwardEuler];
+
+/// A number between two, as often small as large.
+fn between(low: f64, high: f64) -> impl Strategy<Value = f64> {
+    (low.ln()..high.ln()).prop_map(f64::exp)
+}
+
+/// Cloth of 0.2 kg/m², laid or hung, held at two particles or more: one that hangs from a single particle turns about it (`symptoms/turns`).
+fn scene() -> impl Strategy<Value = Description> {
+    let sheet = (
+        select(&[[4, 4], [8, 8], [12, 12], [16, 16], [24, 16]][..]),
+        between(0.1, 3.0),
+        select(&["lay", "hang"][..]),
+        select(&["\"corners\"", "\"top-corners\"", "\"top\"", "\"left\"", "[[1, 0], [2, 3]]"][..]),
+        select(&["", "hem = 2.0", "hem = 0.5"][..]),
+    );
+    // by how much its own weight stretches the sheet; shear and bend springs over stretch springs
+    let springs = (between(1e-3, 0.03), between(0.02, 1.0), between(1e-3, 0.3));
+    let pace = (between(1.0, 6.0), select(&[120_u32, 60, 30][..]), select(&[1_u32, 2, 3, 4, 8, 16][..]));
+    (sheet, springs, pace).prop_map(
+        |(([columns, rows], size, pose, pins, hem), (strain, shear, bend), (drag, rate, substeps))| {
+            let height = size * f64::from(rows - 1) / f64::from(columns - 1);
+            let stretch = 0.2 * 9.81 * height / strain;
+            let (shear, bend, step) = (shear * stretch, bend * stretch, 1.0 / f64::from(rate));
+            let text = format!(
+                "name = \"drawn\"\n[cloth]\ncolumns = {columns}\nrows = {rows}\nwidth = {size}\nheight = {height}\ndensity = 0.2\npose = \"{pose}\"\n\
+                 pins = {pins}\n{hem}\n[stretch]\nstiffness = {stretch}\n[shear]\nstiffness = {shear}\n[bend]\nstiffness = {bend}\n\
+                 [environment]\ngravity = [0.0, 0.0, -9.81]\ndrag = {drag}\n[solver]\nkind = \"lines\"\nstep = {step}\nsubsteps = {substeps}\n[rest]\n"
+            );
+            Description::parse(&text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+        },
+    )
+}
+
+/// Whether the sheet comes to rest.
+fn rests(scene: &Description, scalar: ScalarKind) -> bool {
+    let Ok(mut sheet) = simulation(scene, scalar) else {
+        return true; // fixed point refuses what it can't hold
+    };
+    let frames = (PATIENCE / scene.solver.step) as u32;
+    (0..frames).any(|_| {
+        sheet.frame();
+        sheet.is_at_rest()
+    })
+}
+
+/// As many cases as the environment asks for, others in every run; or a few, always the same.
+fn config() -> ProptestConfig {
+    let asked = std::env::var_os("PROPTEST_CASES").is_some();
+    let usual = ProptestConfig::default();
+    let (cases, rng_seed) = if asked { (usual.cases, usual.rng_seed) } else { (8, RngSeed::Fixed(1)) };
+    ProptestConfig { cases, rng_seed, failure_persistence: None, max_shrink_iters: 0, ..usual }
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn damped_sheets_come_to_rest(mut scene in scene()) {
+        let mut restless = String::new();
+        for kind in SOLVERS {
+            scene.solver.kind = kind;
+            for scalar in ScalarKind::ALL {
+                if !rests(&scene, scalar) {
+                    let _ = writeln!(restless, "{} in {}", kind.name(), scalar.name());
+                }
+            }
+        }
+        prop_assert!(restless.is_empty(), "\n{restless}{scene:#?}");
+    }
+}
