@@ -62,7 +62,10 @@ fn wrapped(text: &str) -> Vec<String> {
     for word in text.split_whitespace() {
         let full = lines.len() == 2;
         match lines.last_mut() {
-            Some(line) if line.len() + 1 + word.len() <= WIDEST => *line += &format!(" {word}"),
+            Some(line) if line.len() + 1 + word.len() <= WIDEST => {
+                line.push(' ');
+                line.push_str(word);
+            }
             Some(line) if full => {
                 *line = line.chars().take(WIDEST - 4).collect::<String>() + " ...";
                 break;

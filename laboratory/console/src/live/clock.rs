@@ -41,12 +41,12 @@ impl Clock {
 pub struct Rate {
     since: Instant,
     pictures: u32,
-    rate: Option<f64>,
+    measured: Option<f64>,
 }
 
 impl Rate {
     pub fn new(now: Instant) -> Self {
-        Self { since: now, pictures: 0, rate: None }
+        Self { since: now, pictures: 0, measured: None }
     }
 
     /// A picture was shown.
@@ -54,14 +54,14 @@ impl Rate {
         self.pictures += 1;
         let passed = now - self.since;
         if passed >= COUNTED {
-            self.rate = Some(f64::from(self.pictures) / passed.as_secs_f64());
+            self.measured = Some(f64::from(self.pictures) / passed.as_secs_f64());
             (self.since, self.pictures) = (now, 0);
         }
     }
 
     /// Of the last second or so; none before that.
     pub fn a_second(&self) -> Option<f64> {
-        self.rate
+        self.measured
     }
 }
 

@@ -261,7 +261,7 @@ impl<'a> Stage<'a> {
             if self.paused { "   paused" } else { "" },
         );
         let measured = format!(
-            "{} pictures a second   stretch strain {}, at most {}",
+            "{} pictures a second   stretch strain {}, {} at most since the start",
             rate.map_or("-".to_string(), |rate| format!("{rate:.0}")),
             percent(self.strain.now),
             percent(self.strain.most),

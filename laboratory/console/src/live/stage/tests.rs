@@ -268,7 +268,7 @@ fn nothing_is_grabbed_that_has_exploded() {
     assert_eq!(click(&mut stage, Button::Left, at), None);
     let Caption { state, complaint } = stage.caption(None);
     assert_eq!(complaint, "not finite any more: r starts again");
-    assert_eq!(state[1], "- pictures a second   stretch strain undefined, at most undefined");
+    assert_eq!(state[1], "- pictures a second   stretch strain undefined, undefined at most since the start");
     let _ = picture(&stage);
     stage.key(Key::Reset, false);
     assert_eq!(stage.caption(None).complaint, "");
@@ -285,7 +285,7 @@ fn the_caption_says_solver_rate_and_strain() {
     assert_eq!(state[0], "xpbd in f32, 8 substeps   wind off   tilt +0 +0");
     let [now, most] = [now, stage.strain.most].map(|strain| format!("{:.2} %", 100.0 * strain));
     assert_ne!(now, most, "the sheet has swung");
-    assert_eq!(state[1], format!("60 pictures a second   stretch strain {now}, at most {most}"));
+    assert_eq!(state[1], format!("60 pictures a second   stretch strain {now}, {most} at most since the start"));
     assert_eq!(complaint, "");
     stage.key(Key::Pause, false);
     stage.key(Key::Wind, false);
