@@ -149,6 +149,7 @@ impl<'a> Stage<'a> {
         match self.simulation.grab(node.column, node.row, &Grip::of(&self.scene)) {
             Ok(()) => {
                 self.simulation.drag(place);
+                self.complaint.clear();
                 true
             }
             Err(error) => {

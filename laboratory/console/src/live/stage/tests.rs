@@ -258,6 +258,22 @@ fn a_reset_keeps_the_view_and_empties_the_hand() {
     assert_eq!(stage.strain.most, stage.strain.now, "counted from the start");
 }
 
+/// So short are substeps that fixed point has no number for the hand's spring.
+#[test]
+fn a_hand_that_is_refused_says_why() {
+    let short = SCENE.replace("substeps = 8", "substeps = 8192").replace("drag = 1.0\n", "");
+    let scene = Description::parse(&short.replace("[shear]\nstiffness = 20.0\n", "")).unwrap();
+    let mut stage = Stage::new(&scene, ScalarKind::Q24, small).unwrap();
+    let at = pixel(&stage, NODE);
+    assert_eq!(click(&mut stage, Button::Left, at), None);
+    let complaint = stage.caption(None).complaint;
+    assert!(complaint.starts_with("hand.compliance: too small for q24"), "{complaint}");
+    stage.scalar = ScalarKind::Q13;
+    stage.key(Key::Number, false);
+    assert_eq!((stage.scalar, click(&mut stage, Button::Left, at)), (ScalarKind::F32, Some(NODE)));
+    assert_eq!(stage.caption(None).complaint, "");
+}
+
 /// What a sheet that has exploded can do is start again.
 #[test]
 fn nothing_is_grabbed_that_has_exploded() {
