@@ -1,24 +1,20 @@
 //! The scene with all that keys and pointers change.
 
+mod drawing;
+mod pointing;
+#[cfg(test)]
+mod tests;
+
 use std::fmt;
 
-use embedded_graphics::Drawable;
-use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
-use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::Rgb888;
-use embedded_graphics::primitives::{Circle, Primitive, PrimitiveStyle};
-use kerchief::host::{Description, Grip, Painter, ScalarKind, Simulation, SolverKind, Still};
+use kerchief::host::{Description, Painter, ScalarKind, Simulation, SolverKind, Still};
 use kerchief::render::Orbit;
 
-use super::caption::{Caption, PICTURE};
-use super::pointer::{Button, Held, Pointer, Pressed, factor};
-use super::strain::{Watched, percent};
+use super::caption::PICTURE;
+use super::pointer::Pressed;
+use super::strain::Watched;
 use super::weather::Weather;
 use crate::Start;
-
-/// A mark on the particle in the hand.
-const HAND: Rgb888 = Rgb888::new(232, 163, 61);
-const HAND_SIZE: u32 = 9;
 
 /// What a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,66 +108,6 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// A pointer did something.
-    pub fn point(&mut self, pointer: Pointer) {
-        match pointer {
-            Pointer::Pressed(button, at) if self.pressed.is_none() && PICTURE.contains(at) => {
-                let at = at - PICTURE.top_left;
-                let held = if button == Button::Left { self.grab(at) } else { None };
-                self.pressed = Some(Pressed { button, at, held });
-            }
-            Pointer::Moved(at) => self.moved(at - PICTURE.top_left),
-            Pointer::Released(button) if self.pressed.is_some_and(|pressed| pressed.button == button) => {
-                self.simulation.release();
-                self.pressed = None;
-            }
-            Pointer::Wheel(notches) => {
-                self.orbit.zoom(factor(notches));
-                self.painter.look(&self.orbit);
-            }
-            Pointer::Pressed(..) | Pointer::Released(_) => {}
-        }
-    }
-
-    /// Takes hold of the particle under a pixel of the picture.
-    fn grab(&mut self, at: Point) -> Option<Held> {
-        if !self.simulation.is_finite() {
-            return None;
-        }
-        let still = self.simulation.still();
-        let node = self.painter.pick(&still, at)?;
-        let held = Held { node, place: still.positions[node.row * self.scene.sheet.columns + node.column] };
-        self.hold(held).then_some(held)
-    }
-
-    /// Whether the hand holds it.
-    fn hold(&mut self, Held { node, place }: Held) -> bool {
-        match self.simulation.grab(node.column, node.row, &Grip::of(&self.scene)) {
-            Ok(()) => {
-                self.simulation.drag(place);
-                self.complaint.clear();
-                true
-            }
-            Err(error) => {
-                self.complaint = error.to_string();
-                false
-            }
-        }
-    }
-
-    fn moved(&mut self, at: Point) {
-        let Some(pressed) = &mut self.pressed else { return };
-        let way = at - pressed.at;
-        pressed.at = at;
-        if let Some(held) = &mut pressed.held {
-            held.place = self.painter.under(at, held.place);
-            self.simulation.drag(held.place);
-        } else {
-            self.orbit.drag(f64::from(way.x), f64::from(way.y));
-            self.painter.look(&self.orbit);
-        }
-    }
-
     fn tilt(&mut self, axis: usize, keys: f64) {
         self.weather.turn(axis, keys);
         self.apply();
@@ -219,14 +155,6 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// Takes in the hand again what another simulation has had.
-    fn hold_on(&mut self) {
-        let Some(held) = self.pressed.and_then(|pressed| pressed.held) else { return };
-        if !self.hold(held) {
-            self.pressed = None;
-        }
-    }
-
     /// Sets gravity and wind as the keys have them.
     fn apply(&mut self) {
         let result = self.simulation.set_wind(self.weather.wind(&self.scene).as_ref());
@@ -234,42 +162,6 @@ impl<'a> Stage<'a> {
             Ok(()) => self.complaint.clear(),
             Err(error) => self.complaint = error.to_string(),
         }
-    }
-
-    /// Draws the whole window, with the rate at which its pictures are shown.
-    pub fn draw<D: DrawTarget<Color = Rgb888>>(&self, rate: Option<f64>, target: &mut D) -> Result<(), D::Error> {
-        let still = self.simulation.still();
-        let mut picture = target.cropped(&PICTURE);
-        self.painter.draw(&still, &mut picture)?;
-        if let Some(held) = self.pressed.and_then(|pressed| pressed.held) {
-            let place = still.positions[held.node.row * self.scene.sheet.columns + held.node.column];
-            if let Some(at) = self.painter.pixel(place) {
-                Circle::with_center(at, HAND_SIZE).into_styled(PrimitiveStyle::with_fill(HAND)).draw(&mut picture)?;
-            }
-        }
-        self.caption(rate).draw(target)
-    }
-
-    fn caption(&self, rate: Option<f64>) -> Caption {
-        let solver = &self.scene.solver;
-        let [right, into] = self.weather.tilt;
-        let state = format!(
-            "{} in {}, {} substeps   wind {}   tilt {right:+.0} {into:+.0}{}",
-            solver.kind.name(),
-            self.scalar.name(),
-            solver.substeps,
-            if self.weather.windy { "on" } else { "off" },
-            if self.paused { "   paused" } else { "" },
-        );
-        let measured = format!(
-            "{} pictures a second   stretch strain {}, {} at most since the start",
-            rate.map_or("-".to_string(), |rate| format!("{rate:.0}")),
-            percent(self.strain.now),
-            percent(self.strain.most),
-        );
-        let finite = if self.simulation.is_finite() { "" } else { "not finite any more: r starts again" };
-        let complaint = if self.complaint.is_empty() { finite } else { &self.complaint };
-        Caption { state: [state, measured], complaint: complaint.to_string() }
     }
 }
 
@@ -289,6 +181,3 @@ fn next<T: Copy + PartialEq, const N: usize>(all: &[T; N], current: T) -> T {
     let index = all.iter().position(|member| *member == current).unwrap_or_default();
     all[(index + 1) % N]
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,12 +1,14 @@
 //! The stage without a screen: events in, a picture and a caption out.
 
-use embedded_graphics::geometry::{OriginDimensions, Size};
-use embedded_graphics::pixelcolor::RgbColor;
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::PointsIter;
 use embedded_graphics_simulator::SimulatorDisplay;
 use kerchief::Node;
 
-use super::super::caption::{KEYS, SIZE, WIDEST};
+use super::super::caption::{Caption, KEYS, SIZE, WIDEST};
+use super::super::pointer::{Button, Pointer};
+use super::drawing::HAND;
 use super::*;
 
 kerchief::simulations! {
