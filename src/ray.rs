@@ -134,6 +134,11 @@ impl<S: Scalar> Ray<S> {
         })
     }
 
+    /// The particle that a pointer means: the one next to the place that is hit, or else the [nearest](Self::nearest).
+    pub fn pick<const W: usize, const H: usize>(&self, particles: &Particles<S, W, H>, within: Length) -> Option<Node> {
+        self.hit(particles).map(|hit| hit.node()).or_else(|| self.nearest(particles, within))
+    }
+
     /// The particle nearest to the ray, if it is nearer than `within`.
     pub fn nearest<const W: usize, const H: usize>(
         &self,
@@ -298,6 +303,9 @@ mod tests {
         assert_eq!(ray.hit(&cloth), None);
         assert_eq!(ray.nearest(&cloth, UNITS.length(0.05)), Some(Node::new(5, 2)));
         assert_eq!(ray.nearest(&cloth, UNITS.length(0.04)), None);
+        assert_eq!(ray.pick(&cloth, UNITS.length(0.05)), Some(Node::new(5, 2)));
+        let within = Ray::<Q24>::new(vector([3.4, 1.7, 9.0]), vector([0.0, 0.0, -1.0]));
+        assert_eq!(within.pick(&cloth, UNITS.length(0.0)), Some(Node::new(3, 2)));
         let away = Ray::<Q24>::new(vector([5.4, 2.2, 9.0]), vector([0.0, 0.0, 1.0]));
         assert_eq!(away.nearest(&cloth, UNITS.length(0.05)), None);
         let units = Units::sheet([1, 8], [0.0, 0.7], 1e-3, 0.01, 4);

@@ -57,7 +57,7 @@ pub(crate) struct Args {
     /// Record every Nth frame; the first and the last always
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 1, value_parser = value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) every: u32,
-    /// Open a live window instead; needs the cargo feature `window`
+    /// Open a live window instead, which names its keys and buttons; needs the cargo feature `window`
     #[arg(long, conflicts_with_all = ["gif", "png", "obj", "csv"])]
     pub(crate) window: bool,
 }

@@ -33,7 +33,7 @@ fn run(args: &Args) -> Result<(), Failure> {
     args.override_scene(&mut scene);
     if args.window {
         #[cfg(feature = "window")]
-        return Ok(window::run(scene, args.scalar)?);
+        return Ok(window::run(&scene, args.scalar)?);
         #[cfg(not(feature = "window"))]
         return Err("--window: built without the cargo feature `window`; add --features window".to_string().into());
     }

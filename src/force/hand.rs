@@ -101,6 +101,17 @@ impl<S: Scalar> Hand<S> {
         self.held.take().map(|(node, _)| node)
     }
 
+    /// The pin that is held, and where it is carried in a frame: `stride` towards its target at most. For [`Scene::move_pin`](crate::Scene::move_pin).
+    pub fn carried<const W: usize, const H: usize>(
+        &self,
+        particles: &Particles<S, W, H>,
+        stride: Length,
+    ) -> Option<(Node, Vec3<S>)> {
+        let (node, target) = self.held.filter(|&(node, _)| particles.is_pinned(node))?;
+        let from = particles.position.at(node);
+        Some((node, from + shortened(target.difference(from), S::from_f64(stride.0))))
+    }
+
     /// The particle that is held and its target, cells.
     pub const fn held(&self) -> Option<(Node, Vec3<S>)> {
         self.held
@@ -274,6 +285,30 @@ mod tests {
         hand.grab(&alone, NODE);
         hand.drag_to(Vec3::ZERO);
         assert_eq!(step((gravity, hand)), alone, "a pin stays");
+    }
+
+    #[test]
+    fn a_pin_is_carried_by_a_stride_at_most() {
+        fn check<S: Scalar>() {
+            let mut cloth = Cloth::<S, 4, 3>::lay(&UNITS, UNITS.point([0.0; 3]));
+            let mut hand = hand::<S>(0.1, 0.1);
+            let stride = UNITS.length(0.05);
+            assert_eq!(hand.carried(&cloth, stride), None);
+            hand.grab(&cloth, NODE);
+            assert_eq!(hand.carried(&cloth, stride), None, "a free particle is pulled");
+            cloth.pin(NODE);
+            let from = cloth.position.at(NODE);
+            for (away, expected) in [(0.03, 0.03), (0.3, 0.05)] {
+                hand.drag_to(from + UNITS.point([0.0, 0.0, away]).to_vec());
+                let (node, place) = hand.carried(&cloth, stride).unwrap();
+                let height = UNITS.metres(place)[2];
+                assert!(node == NODE && (height - expected).abs() < 1e-6, "{height} in {}", S::NAME);
+            }
+        }
+        check::<f32>();
+        check::<f64>();
+        check::<Q24>();
+        check::<Q13>();
     }
 
     #[test]

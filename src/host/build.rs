@@ -23,7 +23,7 @@ const EXTREME: f64 = 1e18;
 /// Pins that tethers may hold to.
 const ANCHORS: usize = 256;
 
-pub(super) type Forces<S, P> = (Gravity<S>, Option<Drag<S>>, <P as Parts<S>>::Air);
+pub(super) type Forces<S, P> = (Gravity<S>, Option<Drag<S>>, <P as Parts<S>>::Air, <P as Parts<S>>::Hand);
 type Family<S, P, L> = Option<<P as Parts<S>>::Springs<L>>;
 type Families<S, P> = (Family<S, P, Stretch<S>>, Family<S, P, Shear<S>>, Family<S, P, Bend<S>>);
 
@@ -132,7 +132,7 @@ impl Description {
             }
             None => None,
         };
-        Ok((gravity(units, self.gravity)?, drag, P::air(units, self.wind.as_ref())?))
+        Ok((gravity(units, self.gravity)?, drag, P::air(units, self.wind.as_ref())?, P::Hand::default()))
     }
 
     pub(super) fn links<S: Scalar + Send, P: Parts<S>>(&self, units: &Units) -> Result<SceneLinks<S, P>, SceneError> {

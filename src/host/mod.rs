@@ -28,6 +28,7 @@ mod description;
 mod error;
 mod file;
 mod fit;
+mod grip;
 mod instances;
 mod obstacles;
 #[cfg(feature = "graphics")]
@@ -47,6 +48,7 @@ pub use description::{
     Capsule, Description, Drag, Picture, Plane, Sheet, Solver, Sphere, Spring, Surface, Wind, WindModel,
 };
 pub use error::{SceneError, printable};
+pub use grip::Grip;
 pub use obstacles::Obstacles;
 #[cfg(feature = "graphics")]
 pub use painter::{Bounds, Painter};

@@ -1,6 +1,6 @@
 //! Pictures of a scene.
 
-use embedded_graphics::geometry::Size;
+use embedded_graphics::geometry::{self, Size};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::PrimitiveStyle;
 use embedded_graphics::{Drawable, draw_target::DrawTarget};
@@ -12,9 +12,10 @@ use super::error::SceneError;
 use super::run::Still;
 use super::shape::for_each_shape;
 use crate::cloth::Cloth;
+use crate::grid::Node;
 use crate::render::Backdrop;
 use crate::render::pattern::{Border, CELL, Checks, Gingham, Pattern, Place, Stripes, Width};
-use crate::render::{Ball, Camera, Ground, Light, Look, Rod, Shaded, Shadow, View, Wireframe};
+use crate::render::{Ball, Camera, Ground, Light, Look, Orbit, Rod, Shaded, Shadow, View, Wireframe};
 use crate::units::{Length, Point, Units};
 use crate::vec3::Vec3;
 
@@ -34,6 +35,8 @@ pub struct Painter<'a> {
 const BALL: Rgb888 = Rgb888::new(96, 112, 128);
 const ROD: Rgb888 = Rgb888::new(120, 96, 72);
 const SHADOW: Rgb888 = Rgb888::new(150, 142, 136);
+/// How far beside the sheet it is picked, in its longer side.
+const BESIDE: f64 = 0.05;
 /// Where a sheet that has left every bound is drawn, cells from the origin.
 const FURTHEST: f64 = 512.0;
 
@@ -74,9 +77,66 @@ impl<'a> Painter<'a> {
             units,
             view: View::new(azimuth, elevation).fit(units.place(low), units.place(high), screen),
             ground: ground.tiles(length(0.25 * size)),
-            light: Light::new(azimuth - 50.0, 50.0),
+            light: light(azimuth),
             screen,
         })
+    }
+
+    /// Where pictures are seen from, its distance in cells.
+    pub fn orbit(&self) -> Orbit {
+        let Picture { azimuth, elevation, .. } = self.scene.picture;
+        Orbit::new(azimuth, elevation, self.view.distance)
+    }
+
+    /// Looks at the same point from somewhere else: where the painter's [`orbit`](Self::orbit) was turned to. The light comes along.
+    pub fn look(&mut self, from: &Orbit) {
+        self.view = self.view.seen_from(from);
+        self.light = light(from.azimuth);
+    }
+
+    /// The particle under a pixel of the picture of a moment, or the nearest one to it.
+    pub fn pick(&self, still: &Still, pixel: geometry::Point) -> Option<Node> {
+        macro_rules! choose {
+            ($(($columns:literal, $rows:literal, $faces:literal))*) => {
+                match (self.scene.sheet.columns, self.scene.sheet.rows) {
+                    $(($columns, $rows) => self.pick_of_grid::<$columns, $rows>(still, pixel),)*
+                    _ => None,
+                }
+            };
+        }
+        for_each_shape!(choose)
+    }
+
+    /// The place (m) that a pixel shows as deep in the picture as another place (m).
+    pub fn under(&self, pixel: geometry::Point, place: [f64; 3]) -> [f64; 3] {
+        self.units.metres(self.camera().under(pixel, self.units.place(place).to_vec()))
+    }
+
+    /// The pixel at which a place (m) is seen.
+    pub fn pixel(&self, place: [f64; 3]) -> Option<geometry::Point> {
+        self.camera().project(self.units.place(place).to_vec())
+    }
+
+    fn camera(&self) -> Camera<f32> {
+        Camera::new(&self.view, self.screen)
+    }
+
+    fn pick_of_grid<const W: usize, const H: usize>(&self, still: &Still, pixel: geometry::Point) -> Option<Node> {
+        let side = self.scene.sheet.width.max(self.scene.sheet.height);
+        let beside = Length(BESIDE * side / self.units.cell);
+        self.camera().ray(pixel).pick(&self.laid::<W, H>(still), beside)
+    }
+
+    /// The sheet in a moment.
+    fn laid<const W: usize, const H: usize>(&self, still: &Still) -> Cloth<f32, W, H> {
+        let mut cloth = Cloth::lay(&self.units, Point([0.0; 3]));
+        // What is not even a number any more is drawn far below.
+        let near = |cells: f64| if cells.is_nan() { -FURTHEST } else { cells.clamp(-FURTHEST, FURTHEST) };
+        let mut positions = still.positions.iter();
+        cloth
+            .position
+            .change(|x| positions.next().map_or(x, |&metres| Vec3::from_f64(self.units.place(metres).0.map(near))));
+        cloth
     }
 
     /// Draws a moment over all of `target`.
@@ -101,14 +161,7 @@ impl<'a> Painter<'a> {
         still: &Still,
         target: &mut D,
     ) -> Result<(), D::Error> {
-        let mut cloth = Cloth::<f32, W, H>::lay(&self.units, Point([0.0; 3]));
-        // What is not even a number any more is drawn far below.
-        let near = |cells: f64| if cells.is_nan() { -FURTHEST } else { cells.clamp(-FURTHEST, FURTHEST) };
-        let mut positions = still.positions.iter();
-        cloth
-            .position
-            .change(|x| positions.next().map_or(x, |&metres| Vec3::from_f64(self.units.place(metres).0.map(near))));
-        let camera = Camera::new(&self.view, self.screen);
+        let (cloth, camera) = (self.laid::<W, H>(still), self.camera());
         let solids = (&*self.balls(still), &*self.rods());
         let mut ground = self.ground.shadow(Shadow::<160>::new(SHADOW).soften(6));
         if W == 1 {
@@ -136,6 +189,11 @@ impl<'a> Painter<'a> {
         };
         self.scene.capsules.iter().map(rod).collect()
     }
+}
+
+/// Over the left shoulder.
+fn light(azimuth: f64) -> Light {
+    Light::new(azimuth - 50.0, 50.0)
 }
 
 /// The box around everything that is seen of a scene and not too far away.
@@ -198,5 +256,46 @@ impl Pattern for Woven {
             Weave::Gingham => Gingham { width, tones }.tone(at),
             Weave::Kerchief => Border { width, tone: tones[1], inner: Gingham { width, tones } }.tone(at),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::host::{Everything, built_in};
+
+    /// From everywhere, near and far.
+    #[test]
+    fn a_particle_is_picked_where_it_is_seen() {
+        let scene = Description::parse(built_in("curtain").unwrap().text).unwrap();
+        let (columns, rows) = (scene.sheet.columns, scene.sheet.rows);
+        assert_eq!((columns, rows), (32, 32));
+        let still = scene.simulation_on::<Everything, f32, 32, 32>().unwrap().still();
+        let mut painter = Painter::new(&scene, [&still], Size::new(640, 600)).unwrap();
+        let mut orbit = painter.orbit();
+        painter.look(&orbit);
+        for (right, up, factor) in [(0.0, 0.0, 1.0), (35.0, 20.0, 1.0), (-60.0, -100.0, 2.0), (0.0, 30.0, 0.3)] {
+            orbit.turn(right, up);
+            orbit.zoom(factor);
+            painter.look(&orbit);
+            for [column, row] in [[0, 0], [columns / 2, rows / 2], [columns - 1, rows - 1], [5, 17]] {
+                let place = still.positions[row * columns + column];
+                let pixel = painter.pixel(place).expect("in front of the eye");
+                assert_eq!(painter.pick(&still, pixel), Some(Node { column, row }), "{orbit:?}");
+                let moved = painter.under(pixel + geometry::Point::new(40, 0), place);
+                assert_eq!(painter.pixel(moved), Some(pixel + geometry::Point::new(40, 0)));
+            }
+            assert_eq!(painter.pick(&still, geometry::Point::new(-4000, -4000)), None);
+        }
+    }
+
+    #[test]
+    fn looking_from_the_first_place_changes_no_pixel() {
+        let scene = Description::parse(built_in("curtain").unwrap().text).unwrap();
+        let still = Still { positions: std::vec![scene.sheet.origin; 2], spheres: Vec::new() };
+        let painter = Painter::new(&scene, [&still], Size::new(64, 64)).unwrap();
+        let mut turned = painter.clone();
+        turned.look(&painter.orbit());
+        assert_eq!((turned.view, turned.light), (painter.view, painter.light));
     }
 }

@@ -5,11 +5,12 @@ use std::format;
 use super::description::{Description, Wind, WindModel};
 use super::error::SceneError;
 use super::fit::{Fit, finite};
+use super::grip::Grip;
 use super::obstacles::{Obstacles, Solids};
-use crate::force::{AerodynamicWind, FacetWind, Force, PanelWind};
+use crate::force::{AerodynamicWind, FacetWind, Force, Hand, PanelWind};
 use crate::link::{Damped, Links};
 use crate::scalar::Scalar;
-use crate::units::Units;
+use crate::units::{Length, Units};
 
 /// Links that a scene may have or not.
 pub trait Springs<S: Scalar + Send>: Links<S> + Copy + Send + 'static {}
@@ -23,6 +24,9 @@ pub trait Parts<S: Scalar + Send>: 'static {
     /// A family of links.
     type Springs<L: Springs<S>>: Springs<S>;
 
+    /// A hand, which is not there at first.
+    type Hand: Force<S> + Default + Send;
+
     /// What is in the way.
     type Obstacles: Obstacles<S>;
 
@@ -32,6 +36,16 @@ pub trait Parts<S: Scalar + Send>: 'static {
     ///
     /// If the parts have no such wind, or the number type does not hold it.
     fn air(units: &Units, wind: Option<&Wind>) -> Result<Self::Air, SceneError>;
+
+    /// The core's hand, which holds nothing yet.
+    ///
+    /// # Errors
+    ///
+    /// If the parts have no hand, or the number type does not hold it.
+    fn hand(units: &Units, grip: &Grip) -> Result<Self::Hand, SceneError>;
+
+    /// The hand, if it is there.
+    fn present(hand: &mut Self::Hand) -> Option<&mut Hand<S>>;
 
     /// `springs` with dampers of `damping` (N·s/m) beside them; `table` is their name in the scene file.
     ///
@@ -60,6 +74,7 @@ pub enum Everything {}
 impl<S: Scalar + Send> Parts<S> for Everything {
     type Air = (Option<FacetWind<S>>, Option<AerodynamicWind<S>>, Option<PanelWind<S>>);
     type Springs<L: Springs<S>> = Damped<L, S>;
+    type Hand = Option<Hand<S>>;
     type Obstacles = Solids<S>;
 
     fn air(units: &Units, wind: Option<&Wind>) -> Result<Self::Air, SceneError> {
@@ -88,6 +103,20 @@ impl<S: Scalar + Send> Parts<S> for Everything {
             }
             None => Ok((None, None, None)),
         }
+    }
+
+    fn hand(units: &Units, grip: &Grip) -> Result<Self::Hand, SceneError> {
+        grip.check()?;
+        let (spring, damper) = (units.compliance(grip.compliance), units.damping(grip.damping));
+        Fit::<S>::constant("hand.compliance", [spring.dividend])?;
+        Fit::<S>::constant("hand.damping", [damper.dividend])?;
+        let reach = Length(grip.reach / units.cell);
+        Fit::<S>::number("hand.reach", reach.0)?;
+        Ok(Some(Hand::new(units, spring, damper, reach)))
+    }
+
+    fn present(hand: &mut Self::Hand) -> Option<&mut Hand<S>> {
+        hand.as_mut()
     }
 
     fn springs<L: Springs<S>>(
@@ -119,10 +148,19 @@ pub enum Bare {}
 impl<S: Scalar + Send> Parts<S> for Bare {
     type Air = ();
     type Springs<L: Springs<S>> = L;
+    type Hand = ();
     type Obstacles = ();
 
     fn air(_: &Units, wind: Option<&Wind>) -> Result<(), SceneError> {
         wind.map_or(Ok(()), |_| Err(SceneError::new("environment.wind", "a bare sheet has no wind")))
+    }
+
+    fn hand(_: &Units, _: &Grip) -> Result<(), SceneError> {
+        Err(SceneError::new("hand", "nothing takes hold of a bare sheet"))
+    }
+
+    fn present((): &mut ()) -> Option<&mut Hand<S>> {
+        None
     }
 
     fn springs<L: Springs<S>>(_: &Units, table: &str, springs: L, damping: f64) -> Result<L, SceneError> {

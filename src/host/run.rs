@@ -7,11 +7,13 @@ use std::vec::Vec;
 use super::build::{Forces, SceneLinks, gravity};
 use super::description::{Description, Wind};
 use super::error::SceneError;
+use super::grip::Grip;
 use super::obstacles::Obstacles;
 use super::parts::Parts;
 use super::range::Range;
 use super::solver::SceneSolver;
 use crate::cloth::Cloth;
+use crate::force::Hand;
 use crate::grid::{Grid, Node};
 use crate::link::Links;
 use crate::measure::{self, digest, elastic_energy, gravitational_energy, is_finite, kinetic_energy};
@@ -19,7 +21,7 @@ use crate::particles::Particles;
 use crate::scalar::{Q13, Q24, Scalar};
 use crate::scene::Scene;
 use crate::solver::Solver;
-use crate::units::Units;
+use crate::units::{Length, Units};
 use crate::vec3::Vec3;
 
 /// A number type, by its name on the command line.
@@ -152,6 +154,16 @@ pub trait Simulation: Send {
     fn restore(&mut self, state: &State);
     /// Holds a particle where it is, or lets it go.
     fn set_pinned(&mut self, column: usize, row: usize, pinned: bool);
+    /// Takes hold of a particle, where it is, and of no other any more.
+    ///
+    /// # Errors
+    ///
+    /// If the number type does not hold such a hand.
+    fn grab(&mut self, column: usize, row: usize, grip: &Grip) -> Result<(), SceneError>;
+    /// Drags the particle that is held to a place, m, and no further than the number type goes. A pin is carried there.
+    fn drag(&mut self, place: [f64; 3]);
+    /// Lets go of the particle that is held. A pin stays where it is.
+    fn release(&mut self);
     /// Changes gravity, m/s².
     ///
     /// # Errors
@@ -207,6 +219,9 @@ struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     /// Where the first particle started and how far from there the sheet may go, cells.
     start: [f64; 3],
     furthest: f64,
+    /// Duration of a frame, s, and how far a pin is carried in it.
+    frame: f64,
+    stride: Length,
     memory: <SceneSolver<S> as Solver<S>>::Memory<SceneLinks<S, P>, W, H>,
 }
 
@@ -224,12 +239,17 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Running<P, S
         let (memory, range) = (scene.memory(), Range::new(&mut cloth.position.values()));
         let (start, gravity) = (units.point(description.sheet.origin).0, description.gravity);
         let furthest = FAR * (units.sides[0] * (W - 1) as f64).max(units.sides[1] * (H - 1) as f64);
-        Ok(Box::new(Self { units, gravity, scene, cloth, unpinned, range, start, furthest, memory }))
+        let (frame, stride) = (description.solver.step, Length(0.0));
+        Ok(Box::new(Self { units, gravity, scene, cloth, unpinned, range, start, furthest, frame, stride, memory }))
     }
 }
 
 impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation for Running<P, S, W, H> {
     fn frame(&mut self) {
+        let hand = P::present(&mut self.scene.forces.3);
+        if let Some((pin, place)) = hand.and_then(|hand| hand.carried(&self.cloth, self.stride)) {
+            self.scene.move_pin(&mut self.cloth, pin, place);
+        }
         self.scene.play(&mut self.cloth, &mut self.memory);
         // a sheet at rest is where it was
         if !self.memory.is_at_rest() {
@@ -315,6 +335,39 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
             self.cloth.pin(node);
         } else {
             self.cloth.release(node, self.unpinned[node]);
+        }
+    }
+
+    fn grab(&mut self, column: usize, row: usize, grip: &Grip) -> Result<(), SceneError> {
+        let mut taking = P::hand(&self.units, grip)?;
+        self.release();
+        if let Some(hand) = P::present(&mut taking) {
+            hand.grab(&self.cloth, Node { column, row });
+        }
+        self.scene.forces.3 = taking;
+        self.stride = Length((grip.speed * self.frame / self.units.cell).min(0.5 * S::LARGEST));
+        Ok(())
+    }
+
+    fn drag(&mut self, place: [f64; 3]) {
+        let Some(hand) = P::present(&mut self.scene.forces.3) else { return };
+        let Some((node, _)) = hand.held() else { return };
+        let (from, to) = (self.cloth.position.at(node).to_f64(), self.units.place(place).0);
+        // nor so far that the difference goes beyond the range
+        let within = |axis: usize| {
+            let [low, high] = [-0.5, 0.5].map(|part| from[axis] + part * S::LARGEST);
+            to[axis].clamp(low.max(-S::LARGEST), high.min(S::LARGEST))
+        };
+        if from.iter().chain(&to).all(|x| x.is_finite()) {
+            hand.drag_to(Vec3::from_f64([0, 1, 2].map(within)));
+        }
+    }
+
+    fn release(&mut self) {
+        let mut held = core::mem::take(&mut self.scene.forces.3);
+        if let Some(pin) = P::present(&mut held).and_then(Hand::drop).filter(|&node| self.cloth.is_pinned(node)) {
+            // it was on its way
+            self.cloth.pin(pin);
         }
     }
 

@@ -126,6 +126,15 @@ impl<S: Scalar> Camera<S> {
         Ray::line(through, direction, start.divide(self.nearness))
     }
 
+    /// The place (cells) that a pixel shows as deep in the picture as `point`: where what is dragged goes when the pointer moves on.
+    pub fn under(&self, pixel: Point, point: Vec3<S>) -> Vec3<S> {
+        let Axes { right, up, forward } = self.axes;
+        let depth = self.place(point).z;
+        let (x, y) = (self.slope_right(pixel.x) * depth, self.slope_up(pixel.y) * depth);
+        let offset = right * x + up * y + forward * (depth - S::ONE);
+        self.target + offset.map(|component| component.divide(self.nearness))
+    }
+
     /// A point's place as the eye sees it: to the right, up, and depth, in distances to the target (whose place is 0, 0, 1).
     pub fn place(&self, point: Vec3<S>) -> Vec3<S> {
         let Axes { right, up, forward } = self.axes;
@@ -346,6 +355,25 @@ mod tests {
             a_ray_goes_through_all_that_its_pixel_shows::<f32>(&view, 0.02);
             a_ray_goes_through_all_that_its_pixel_shows::<Q24>(&view, 0.05);
         }
+    }
+
+    #[test]
+    fn what_is_under_a_pixel_stays_in_its_plane() {
+        fn check<S: Scalar>(bound: f64) {
+            let camera = Camera::<S>::new(&VIEW, SCREEN);
+            for pixel in [(0, 0), (319, 0), (160, 120), (37, 201), (-40, 300)] {
+                let pixel = Point::new(pixel.0, pixel.1);
+                for point in [[0.0, 0.0, 0.0], [14.0, 3.5, -6.0], [-9.0, 20.0, 11.0]].map(Vec3::<S>::from_f64) {
+                    let under = camera.under(pixel, point);
+                    assert_eq!(camera.project(under), Some(pixel), "{point:?} in {}", S::NAME);
+                    let deeper = (under - point).dot(camera.axes.forward).to_f64();
+                    assert!(deeper.abs() < bound, "{pixel:?} {point:?} in {}: {deeper}", S::NAME);
+                }
+            }
+        }
+        check::<f64>(1e-12);
+        check::<f32>(1e-4);
+        check::<Q24>(1e-4);
     }
 
     #[test]

@@ -26,7 +26,7 @@ pub struct View {
     /// The point in the middle of the picture, cells.
     pub(super) target: [f64; 3],
     /// From the eye to the target, cells.
-    pub(super) distance: f64,
+    pub(crate) distance: f64,
     /// (sin, cos)
     pub(super) azimuth: (f64, f64),
     /// (sin, cos)
@@ -125,6 +125,13 @@ impl View {
             middle[2] + shift[0] * right[2] + shift[1] * up[2],
         ];
         self.from(Point(target), Length(distance.max(1.0)))
+    }
+
+    /// A look at the same point from somewhere else, a cell away at least.
+    #[cfg(feature = "std")]
+    pub(crate) fn seen_from(self, orbit: &super::Orbit) -> Self {
+        let Self { azimuth, elevation, .. } = Self::new(orbit.azimuth, orbit.elevation);
+        Self { azimuth, elevation, distance: orbit.distance.max(1.0), ..self }
     }
 
     /// Right, up and forward as seen by the eye: unit vectors.

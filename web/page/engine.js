@@ -77,7 +77,17 @@ export class Engine {
 
     place(sheet, index) { return Array.from(this.#floats(this.exports.places(sheet) + 24 * index, 3)); }
 
-    look({ azimuth, elevation, distance }) { this.exports.look(azimuth, elevation, distance); }
+    // Turns the scene by a pointer's way, pixels.
+    turn(right, down) { this.exports.turn(right, down); }
+
+    // Goes nearer, to 1/factor of the distance.
+    zoom(factor) { this.exports.zoom(factor); }
+
+    // Where all sheets are looked at from.
+    eye() {
+        const [azimuth, elevation, distance] = this.#floats(this.exports.eye(), 3);
+        return { azimuth, elevation, distance };
+    }
 
     // The pixels of a picture, good until the next call.
     draw(sheet, width, height) {
@@ -90,7 +100,7 @@ export class Engine {
     // The particle under a pixel, or −1.
     pick(sheet, [width, height], [x, y]) { return this.exports.pick(sheet, width, height, x, y); }
 
-    // The place under a pixel that is nearest to another one.
+    // The place under a pixel that is as deep in the picture as another one.
     under(sheet, [width, height], [x, y], place) {
         return Array.from(this.#floats(this.exports.under(sheet, width, height, x, y, ...place), 3));
     }

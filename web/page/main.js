@@ -6,7 +6,7 @@ import { ALONG, BOTH, LIVE, OWN, SWEEPING, format, label, parse } from 'playgrou
 import { Stage } from 'playground/stage.js';
 import { Strip } from 'playground/strips.js';
 import { studies } from 'playground/studies.js';
-import { View, eye } from 'playground/view.js';
+import { View } from 'playground/view.js';
 
 const find = (id) => document.getElementById(id);
 
@@ -210,7 +210,6 @@ function adapt(spent) {
 }
 
 function draw() {
-    engine.look(eye);
     views.forEach((view, sheet) => {
         const { canvas, values, side } = cards[sheet];
         view.draw(QUALITIES[clock.quality], stage.refused[sheet] ? null : stage.held);
@@ -253,4 +252,4 @@ document.body.dataset.ready = String(Math.round(performance.now()));
 requestAnimationFrame((now) => { clock.last = now; requestAnimationFrame(tick); });
 
 // For the console and for tests.
-globalThis.playground = { engine, stage, state, eye, clock };
+globalThis.playground = { engine, stage, state, clock };

@@ -1,25 +1,10 @@
 // A sheet on the page: its picture, and what pointers and keys do to it.
 
-const NEAREST = 0.8;
-const FARTHEST = 6;
-const DEGREES_A_PIXEL = 0.4;
 // How far a key pulls, m.
 const NUDGE = 0.03;
 
-// Where all sheets are looked at from.
-export const eye = { azimuth: 28, elevation: 16, distance: 1.9 };
-
-function turn(right, up) {
-    eye.azimuth = (eye.azimuth - right + 540) % 360 - 180;
-    eye.elevation = Math.min(Math.max(eye.elevation + up, 2), 88);
-}
-
-export function zoom(factor) {
-    eye.distance = Math.min(Math.max(eye.distance / factor, NEAREST), FARTHEST);
-}
-
-// What keys do to a picture that has the focus: turn by degrees, zoom by a factor.
-const TURNS = { ArrowLeft: [-8, 0], ArrowRight: [8, 0], ArrowUp: [0, 8], ArrowDown: [0, -8] };
+// What keys do to a picture that has the focus: turn by pixels, zoom by a factor.
+const TURNS = { ArrowLeft: [-20, 0], ArrowRight: [20, 0], ArrowUp: [0, 20], ArrowDown: [0, -20] };
 const ZOOMS = { '+': 1.15, '=': 1.15, '-': 1 / 1.15 };
 // To the right, away, up.
 const PULLS = { a: [-1, 0, 0], d: [1, 0, 0], e: [0, 1, 0], q: [0, -1, 0], w: [0, 0, 1], s: [0, 0, -1] };
@@ -104,9 +89,9 @@ export class View {
         } else if (this.pointers.size === 2) {
             const other = [...this.pointers].find(([id]) => id !== event.pointerId)[1];
             const span = ([x, y]) => Math.hypot(x - other[0], y - other[1]);
-            zoom(Math.max(span(now), 1) / Math.max(span(before), 1));
+            this.engine.zoom(Math.max(span(now), 1) / Math.max(span(before), 1));
         } else {
-            turn((now[0] - before[0]) * DEGREES_A_PIXEL, (now[1] - before[1]) * DEGREES_A_PIXEL);
+            this.engine.turn(...now.map((at, axis) => at - before[axis]));
         }
         this.pointers.set(event.pointerId, now);
         this.changed();
@@ -121,7 +106,7 @@ export class View {
         // a page that is scrolled past a picture goes on scrolling
         if (document.activeElement !== this.canvas) return;
         event.preventDefault();
-        zoom(Math.exp(-event.deltaY * 0.001));
+        this.engine.zoom(Math.exp(-event.deltaY * 0.001));
         this.changed();
     }
 
@@ -171,8 +156,8 @@ export class View {
     #key(event) {
         if (event.ctrlKey || event.metaKey || event.altKey) return;
         const { key } = event;
-        if (key in TURNS) turn(...TURNS[key]);
-        else if (key in ZOOMS) zoom(ZOOMS[key]);
+        if (key in TURNS) this.engine.turn(...TURNS[key]);
+        else if (key in ZOOMS) this.engine.zoom(ZOOMS[key]);
         else if (key === '.') this.#choose(1);
         else if (key === ',') this.#choose(-1);
         else if (key === 'p' && this.chosen !== null && !this.explosion) this.#pin(this.chosen);

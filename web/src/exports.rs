@@ -84,11 +84,16 @@ exports! {
     /// The address of all places: three 64-bit floats a particle, m.
     fn places(world, sheet: usize) -> usize { world.sheet(sheet).shown().places().as_ptr().addr() }
 
-    /// Looks from another side: degrees, m.
-    fn look(world, azimuth: f64, elevation: f64, distance: f64) {
-        world.eye.azimuth = azimuth;
-        world.eye.elevation = elevation;
-        world.eye.distance = distance;
+    /// Turns the scene by a pointer's way, pixels.
+    fn turn(world, right: f64, down: f64) { world.eye.drag(right, down) }
+
+    /// Goes nearer, to 1/`factor` of the distance.
+    fn zoom(world, factor: f64) { world.eye.zoom(factor) }
+
+    /// The address of where the eye is: azimuth, elevation (degrees), distance (m).
+    fn eye(world) -> usize {
+        world.place = [world.eye.azimuth, world.eye.elevation, world.eye.distance];
+        world.place.as_ptr().addr()
     }
 
     /// Draws a sheet: the address of the pixels, four bytes each.
@@ -105,7 +110,7 @@ exports! {
         world.pick(sheet, Size::new(width, height), Point::new(x, y))
     }
 
-    /// The address of the place (three 64-bit floats, m) under a pixel that is nearest to another one.
+    /// The address of the place (three 64-bit floats, m) under a pixel that is as deep in the picture as another one.
     fn under(world, sheet: usize, width: u32, height: u32, x: i32, y: i32, px: f64, py: f64, pz: f64) -> usize {
         world.place = [px, py, pz];
         world.drag_under(sheet, Size::new(width, height), Point::new(x, y));

@@ -6,10 +6,10 @@ use embedded_graphics::pixelcolor::Rgb888;
 use kerchief::material::Springs;
 use kerchief::measure::{self, Strain};
 use kerchief::render::pattern::{Border, CELL, Gingham, Width};
-use kerchief::render::{Ball, Ground, Light, Look, Shaded, Shadow};
+use kerchief::render::{Ball, Ground, Light, Look, Orbit, Shaded, Shadow};
 use kerchief::{Grid, Node, Particles, Scalar, Sheet, Vec3};
 
-use crate::eye::Eye;
+use crate::eye::camera;
 use crate::frame::Frame;
 use crate::frequency;
 use crate::parts::{self, BALL, Links};
@@ -162,13 +162,13 @@ pub trait Shown {
     /// The highest angular frequency of the sheet, 1/s.
     fn frequency(&self) -> f64;
     /// Draws the sheet, the ball and the floor, in the colours of the left sheet or of the right one.
-    fn draw(&self, eye: &Eye, right: bool, frame: &mut Frame);
+    fn draw(&self, eye: &Orbit, right: bool, frame: &mut Frame);
     /// The particle under a pixel, or the nearest one to it.
-    fn pick(&self, eye: &Eye, screen: Size, pixel: Point) -> Option<Node>;
-    /// The point (m) under a pixel that is nearest to `place` (m).
-    fn under(&self, eye: &Eye, screen: Size, pixel: Point, place: [f64; 3]) -> [f64; 3];
+    fn pick(&self, eye: &Orbit, screen: Size, pixel: Point) -> Option<Node>;
+    /// The point (m) under a pixel that is as deep in the picture as `place` (m).
+    fn under(&self, eye: &Orbit, screen: Size, pixel: Point, place: [f64; 3]) -> [f64; 3];
     /// The pixel at which a particle is seen.
-    fn pixel(&self, eye: &Eye, screen: Size, node: Node) -> Option<Point>;
+    fn pixel(&self, eye: &Orbit, screen: Size, node: Node) -> Option<Point>;
 }
 
 impl<const N: usize, const FACES: usize> Shown for Likeness<N, FACES> {
@@ -197,9 +197,9 @@ impl<const N: usize, const FACES: usize> Shown for Likeness<N, FACES> {
         frequency::highest(N, &inverse, &self.springs)
     }
 
-    fn draw(&self, eye: &Eye, right: bool, frame: &mut Frame) {
+    fn draw(&self, eye: &Orbit, right: bool, frame: &mut Frame) {
         let units = &self.sheet.units;
-        let camera = eye.camera(units, embedded_graphics::geometry::OriginDimensions::size(frame));
+        let camera = camera(eye, units, embedded_graphics::geometry::OriginDimensions::size(frame));
         let ball = self.ball.map(|centre| Ball::new(units.point(centre), units.length(BALL), BALL_TONE));
         let ground = Ground::new(units.point([0.0; 3]), units.length(1.5)).tiles(units.length(0.15));
         let ground = ground.shadow(Shadow::<96>::new(SHADOW).soften(3));
@@ -211,20 +211,18 @@ impl<const N: usize, const FACES: usize> Shown for Likeness<N, FACES> {
         let Ok(()) = Shaded::<_, N, N>::new(look).smooth::<FACES>().draw(&self.drawn(), &camera, frame);
     }
 
-    fn pick(&self, eye: &Eye, screen: Size, pixel: Point) -> Option<Node> {
+    fn pick(&self, eye: &Orbit, screen: Size, pixel: Point) -> Option<Node> {
         let units = &self.sheet.units;
-        let (ray, drawn) = (eye.camera(units, screen).ray(pixel), self.drawn());
-        let near = units.length(0.03);
-        ray.hit(&drawn).map(|hit| hit.node()).or_else(|| ray.nearest(&drawn, near))
+        camera(eye, units, screen).ray(pixel).pick(&self.drawn(), units.length(0.03))
     }
 
-    fn under(&self, eye: &Eye, screen: Size, pixel: Point, place: [f64; 3]) -> [f64; 3] {
+    fn under(&self, eye: &Orbit, screen: Size, pixel: Point, place: [f64; 3]) -> [f64; 3] {
         let units = &self.sheet.units;
-        units.metres(eye.camera(units, screen).ray(pixel).foot(units.point(place).to_vec()))
+        units.metres(camera(eye, units, screen).under(pixel, units.point(place).to_vec()))
     }
 
-    fn pixel(&self, eye: &Eye, screen: Size, node: Node) -> Option<Point> {
-        eye.camera(&self.sheet.units, screen).project(Vec3::from_f64(self.particles.position.at(node).to_f64()))
+    fn pixel(&self, eye: &Orbit, screen: Size, node: Node) -> Option<Point> {
+        camera(eye, &self.sheet.units, screen).project(Vec3::from_f64(self.particles.position.at(node).to_f64()))
     }
 }
 

@@ -170,16 +170,10 @@ struct Running<S: Scalar, const N: usize, const FACES: usize> {
 impl<S: Scalar, const N: usize, const FACES: usize> Running<S, N, FACES> {
     /// A hand has no force on a pin, and carries it.
     fn carry(&mut self) {
-        let Some((node, target)) = self.player.parts().0.3.held().filter(|&(node, _)| self.cloth.is_pinned(node))
-        else {
-            return;
-        };
-        let [from, to] = [self.cloth.position.at(node), target].map(|place| self.sheet.metres(place));
-        let way: [f64; 3] = core::array::from_fn(|axis| to[axis] - from[axis]);
-        let length = libm::sqrt(way.into_iter().map(|x| x * x).sum());
-        let part = if length > STRIDE { STRIDE / length } else { 1.0 };
-        let place = self.sheet.place(core::array::from_fn(|axis| from[axis] + part * way[axis]));
-        self.player.carry(&mut self.cloth, node, place);
+        let stride = self.sheet.units.length(STRIDE);
+        if let Some((pin, place)) = self.player.parts().0.3.carried(&self.cloth, stride) {
+            self.player.carry(&mut self.cloth, pin, place);
+        }
     }
 }
 

@@ -1,9 +1,10 @@
 //! The sheets of a page.
 
 use embedded_graphics::geometry::{Point, Size};
+use kerchief::render::Orbit;
 use kerchief::{Node, Q13, Q24, Scalar};
 
-use crate::eye::Eye;
+use crate::eye;
 use crate::frame::Frame;
 use crate::likeness::Fate;
 use crate::parts::Refusal;
@@ -16,7 +17,7 @@ const SHEETS: usize = 2;
 /// The sheets, and what the page says of the next one that starts.
 pub(crate) struct World {
     pub(crate) settings: Settings,
-    pub(crate) eye: Eye,
+    pub(crate) eye: Orbit,
     pub(crate) frame: Frame,
     /// Three numbers for the page to read.
     pub(crate) place: [f64; 3],
@@ -28,7 +29,7 @@ impl World {
     pub(crate) const fn new() -> Self {
         Self {
             settings: Settings::DEFAULT,
-            eye: Eye::DEFAULT,
+            eye: eye::START,
             frame: Frame::EMPTY,
             place: [0.0; 3],
             sheets: [const { None }; SHEETS],

@@ -100,7 +100,7 @@ export default function tests({ test, open, context }) {
         const third = await eye(page);
         assert.ok(third.azimuth !== second.azimuth);
         await page.mouse.wheel(0, -300);
-        await page.waitForFunction((distance) => globalThis.playground.eye.distance < distance, third.distance);
+        await page.waitForFunction((distance) => globalThis.playground.engine.eye().distance < distance, third.distance);
         await page.close();
     });
 

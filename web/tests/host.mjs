@@ -15,7 +15,6 @@ export default function tests({ test, open, context, complaints, expected, out }
                 Object.assign(state, { shared: parsed.shared, sheets: parsed.sheets });
                 stage.restart();
                 for (let count = 0; count < parsed.page.frames; count += 1) engine.frame(0);
-                engine.look({ azimuth: 28, elevation: 16, distance: 1.9 });
                 engine.draw(0, ...size);
                 return { digest: engine.digest(0), pixels: engine.hash(), fate: engine.exports.fate(0) };
             }, [asked, [width, height]]);

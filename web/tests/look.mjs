@@ -7,7 +7,7 @@ export const play = (page, frames, sheet = 0) => page.evaluate(([count, of]) => 
 }, [frames, sheet]);
 
 export const frame = (page) => page.evaluate(() => globalThis.playground.stage.frame);
-export const eye = (page) => page.evaluate(() => ({ ...globalThis.playground.eye }));
+export const eye = (page) => page.evaluate(() => globalThis.playground.engine.eye());
 export const held = (page) => page.evaluate(() => globalThis.playground.stage.held.size);
 export const query = async (page) => new URLSearchParams(new URL(page.url()).search);
 

@@ -6,6 +6,7 @@
     reason = "not published: names and signatures say it"
 )]
 
+pub mod live;
 pub mod staging;
 pub mod studio;
 
@@ -18,12 +19,15 @@ use std::process::ExitCode;
 use clap::Parser;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
-use kerchief::host::{BuiltIn, Description, ScalarKind, SolverKind};
+use kerchief::host::{BuiltIn, Description, ScalarKind, SceneError, Simulation, SolverKind};
 
 pub use kerchief::host::printable;
 
 /// Scene files may be as large as this, MB of 2²⁰ bytes: no scene is, but a device has no end.
 const LARGEST: u64 = 16;
+
+/// Sets a scene up in a number type, on the grids of a program.
+pub type Start = fn(&Description, ScalarKind) -> Result<Box<dyn Simulation>, SceneError>;
 
 /// Why a program does not end well.
 #[derive(Debug)]

@@ -15,10 +15,7 @@ pub mod reference;
 pub mod scenes;
 pub mod strip;
 
-use kerchief::host::{Description, ScalarKind, SceneError, Simulation};
-
-/// How a program sets scenes in motion.
-pub type Start = fn(&Description, ScalarKind) -> Result<Box<dyn Simulation>, SceneError>;
+pub use console::Start;
 
 /// Stack of a worker, bytes: grids of 64 × 64 pass through it.
 const STACK: usize = 64 << 20;

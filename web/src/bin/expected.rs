@@ -3,7 +3,7 @@
 use std::io::{Result, Write, stdout};
 
 use kerchief::{Q13, Q24, Scalar};
-use playground::eye::Eye;
+use playground::eye;
 use playground::frame::Frame;
 use playground::play;
 use playground::settings::{Number, Settings, Solver, Start};
@@ -44,7 +44,7 @@ fn line<S: Scalar>(settings: &Settings, number: Number, name: &str) -> String {
     let mut frame = Frame::default();
     let (width, height) = PICTURE;
     frame.resize(width, height);
-    sheet.shown().draw(&Eye::DEFAULT, false, &mut frame);
+    sheet.shown().draw(&eye::START, false, &mut frame);
     let Settings { solver, substeps, start, wind, .. } = settings;
     assert!(start == Start::Corners && settings.ball, "what the address below says");
     let query =
