@@ -52,7 +52,7 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::RgbColor;
 use embedded_hal::digital::OutputPin;
 use embedded_hal::i2c::I2c;
-use embedded_hal::spi::MODE_0;
+use embedded_hal::spi::MODE_3;
 use embedded_hal_bus::spi::ExclusiveDevice;
 use kerchief::measure;
 use kerchief::render::Canvas;
@@ -86,8 +86,8 @@ static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 const BUS: u32 = 50_000_000;
 /// Of the bus to the sensor, Hz.
 const SENSOR_BUS: u32 = 400_000;
-/// By how many steps the show may be late; what is later is dropped.
-const SLACK: u32 = 6;
+/// Steps between two pictures, at most; what is later is dropped.
+const MOST: u32 = 2;
 /// Steps between two lines of the log.
 const LOGGED: u32 = 60;
 
@@ -108,7 +108,7 @@ fn main() -> ! {
 
     let wires = (pins.gpio11.into_function::<FunctionSpi>(), pins.gpio10.into_function::<FunctionSpi>());
     let spi = Spi::<_, _, _, 8>::new(chip.SPI1, wires);
-    let mut spi = spi.init(&mut chip.RESETS, clocks.peripheral_clock.freq(), BUS.Hz(), MODE_0);
+    let mut spi = spi.init(&mut chip.RESETS, clocks.peripheral_clock.freq(), BUS.Hz(), MODE_3);
     let mut select = pins.gpio9.into_push_pull_output();
     let mut data = pins.gpio8.into_push_pull_output();
     let Ok(device) = ExclusiveDevice::new_no_delay(&mut spi, &mut select);
@@ -129,7 +129,7 @@ fn main() -> ! {
     // from here on frames have 16 bits
     let (interface, wires) = spi.disable().free();
     let spi = Spi::<_, _, _, 16>::new(interface, wires);
-    let spi = spi.init(&mut chip.RESETS, clocks.peripheral_clock.freq(), BUS.Hz(), MODE_0);
+    let spi = spi.init(&mut chip.RESETS, clocks.peripheral_clock.freq(), BUS.Hz(), MODE_3);
     let channel = chip.DMA.split(&mut chip.RESETS).ch0;
     let mut lcd = Lcd::new(channel, spi, select, data);
 
@@ -143,16 +143,15 @@ fn main() -> ! {
     let Ok(()) = canvas.clear(Rgb565::BLACK);
     let frequency = clocks.system_clock.freq().to_Hz();
     let clock = Clock::start(core.SYST, frequency / RATE);
-    let mut pace = Pace::new(1);
+    let mut pace = Pace::new(MOST);
     let mut meter = Meter::default();
     let (mut now, mut step, mut first) = (0, 0, true);
     let mut logged = clock.cycles();
     loop {
-        // a step that takes longer than its time is made up for by the next ones
-        now = clock.wait(now).saturating_sub(SLACK).max(now + 1);
+        now = clock.wait(now);
         let start = clock.cycles();
         let due = pace.due(now);
-        let mut changed = first;
+        let mut changed = core::mem::take(&mut first);
         for _ in 0..due {
             if show.is_attentive() {
                 hand.move_show(show);
@@ -171,7 +170,6 @@ fn main() -> ! {
             continue;
         }
         let free = clock.cycles();
-        first = false;
         let Ok(()) = canvas.restore(|behind| show.draw_back(behind));
         let sort = Lap::time(canvas, &clock, |lap| show.draw(lap));
         let drawn = clock.cycles();

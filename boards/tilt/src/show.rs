@@ -6,23 +6,22 @@ use embedded_graphics::primitives::{Circle, PrimitiveStyle, Rectangle};
 use kerchief::render::pattern::{Border, Gingham, Width};
 use kerchief::render::{Camera, Gouraud, Light, Look, Shade, Shaded, View};
 use kerchief::scene::Only;
-use kerchief::units::PanelFlow;
 use kerchief::{
-    Cloth, Damped, Gravity, Lines, Node, PanelWind, Q13, Resting, Scalar, Scene, Shear, Sheet, Solver, Stillness,
+    Cloth, Drag, Gravity, Lines, Node, Q13, Resting, Scalar, Scene, Shear, Sheet, Solver, Stillness,
     Stretch, Vec3, measure,
 };
 
 /// Particles a side: an odd number, so that one is in the middle.
-const SIDE: usize = 11;
-/// Steps in a second, each with a picture of its own.
+const SIDE: usize = 9;
+/// Steps in a second.
 pub const RATE: u32 = 60;
 /// The display's memory. What is seen of it is the disk that touches its sides.
 pub const SCREEN: Size = Size::new(240, 240);
 /// A weight, as the sensor says it.
 pub const WEIGHT: i32 = 4096;
 
-/// Substeps of a step, as many as the flag of `examples/pico` has.
-const SUBSTEPS: u32 = 4;
+/// Substeps of a step. With two of them rows are strained too much where the hand shakes it, and substeps are split into more than these.
+const SUBSTEPS: u32 = 3;
 /// One sweep or more, until rows are strained by no more than 1.4 %.
 const LINES: Lines = Lines::with_sweeps(1).within(0.014);
 /// kg/m²
@@ -35,12 +34,11 @@ const SHEET: Sheet<Q13, SIDE, SIDE> = Sheet::new([LENGTH, LENGTH], MASS, 1.0 / R
 const SLOPE: [f64; 2] = [0.8, 0.6];
 /// From the middle of the pegs, 0.66 m away: with threads of 0.3 m pegs are then inside of the disk.
 const VIEW: View = View::new(0.0, 0.0).at(SHEET.units.point([0.0; 3]), SHEET.units.length(0.66));
-/// N/m, and N·s/m of the shear springs' dampers, which let it come to rest.
-const STRETCH: f64 = 3e3;
-const SHEAR: f64 = 10.0;
-const DAMPING: f64 = 0.002;
-/// Air at rest.
-const AIR: PanelFlow = SHEET.units.panel_wind([0.0; 3], 1.2, 1.2);
+/// N/m
+const STRETCH: f64 = 1e3;
+const SHEAR: f64 = 4.0;
+/// What the air takes of a velocity, 1/s: the kerchief comes to rest some seconds after the hand.
+const DRAG: f64 = 2.0;
 /// What moves by less than seven pixels a second, and gets no further than a pixel in a second, rests.
 const STILL: Stillness = Stillness { speed: 0.01, acceleration: 0.01, time: 1.0 };
 /// How far a feeling may be from the sensor's, along each axis: a hundredth of a weight. A sensor at rest trembles by less.
@@ -48,8 +46,8 @@ const PLAY: i32 = WEIGHT / 100;
 /// At rest it is attentive in one of so many steps.
 const DROWSE: u32 = RATE / 10;
 
-type Forces = (Gravity<Q13>, PanelWind<Q13>);
-type Springs = (Stretch<Q13>, Damped<Shear<Q13>, Q13>);
+type Forces = (Gravity<Q13>, Drag<Q13>);
+type Springs = (Stretch<Q13>, Shear<Q13>);
 type Mover = Resting<Lines>;
 /// The kerchief.
 type Fabric = Cloth<Q13, SIDE, SIDE>;
@@ -98,8 +96,8 @@ impl Show {
     #[inline(never)]
     pub fn new() -> Self {
         let gravity = SHEET.gravity([0.0, 0.0, -9.81]);
-        let links = (SHEET.stretch(STRETCH), SHEET.damped(SHEET.shear(SHEAR), DAMPING));
-        let scene = SHEET.scene((gravity, PanelWind::new(AIR)), links, (), SHEET.resting(STILL, LINES));
+        let links = (SHEET.stretch(STRETCH), SHEET.shear(SHEAR));
+        let scene = SHEET.scene((gravity, SHEET.drag(DRAG)), links, (), SHEET.resting(STILL, LINES));
         Self {
             cloth: pyramid(),
             memory: scene.memory(),
@@ -123,7 +121,8 @@ impl Show {
         for (felt, force) in self.felt.iter_mut().zip(force) {
             *felt = (*felt).clamp(force - PLAY, force + PLAY);
         }
-        let [x, y, z] = self.felt.map(|felt| Q13::from_bits(-felt * self.weight.to_bits() / WEIGHT));
+        // eight weights, as much as the sensor says, fit 32 bits so
+        let [x, y, z] = self.felt.map(|felt| Q13::from_bits(-felt * (self.weight.to_bits() >> 8) / (WEIGHT >> 8)));
         self.scene.forces.0.gain = Vec3::new(x, y, z);
     }
 
