@@ -6,12 +6,12 @@ use embedded_dma::ReadBuffer;
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::digital::OutputPin;
 use embedded_hal::spi::SpiBus;
-use tilt::picture::{Picture, Rows};
-use tilt::show::SCREEN;
 use rp2040_hal::dma::single_buffer::{Config, Transfer};
 use rp2040_hal::dma::{CH0, Channel};
 use rp2040_hal::pac::SPI1;
 use rp2040_hal::spi::{Enabled, Spi, ValidSpiPinout};
+use tilt::picture::{Picture, Rows};
+use tilt::show::SCREEN;
 
 /// A bus of 16 bits.
 type Bus<P> = Spi<Enabled, SPI1, P, 16>;

@@ -7,8 +7,8 @@ use kerchief::render::pattern::{Border, Gingham, Width};
 use kerchief::render::{Camera, Gouraud, Light, Look, Shade, Shaded, View};
 use kerchief::scene::Only;
 use kerchief::{
-    Cloth, Drag, Gravity, Lines, Node, Q13, Resting, Scalar, Scene, Shear, Sheet, Solver, Stillness,
-    Stretch, Vec3, measure,
+    Cloth, Drag, Gravity, Lines, Node, Q13, Resting, Scalar, Scene, Shear, Sheet, Solver, Stillness, Stretch, Vec3,
+    measure,
 };
 
 /// Particles a side: an odd number, so that one is in the middle.
@@ -35,12 +35,12 @@ const SLOPE: [f64; 2] = [0.8, 0.6];
 /// From the middle of the pegs, 0.66 m away: with threads of 0.3 m pegs are then inside of the disk.
 const VIEW: View = View::new(0.0, 0.0).at(SHEET.units.point([0.0; 3]), SHEET.units.length(0.66));
 /// N/m
-const STRETCH: f64 = 1e3;
-const SHEAR: f64 = 4.0;
+const STRETCH: f64 = 4e3;
+const SHEAR: f64 = 6.0;
 /// What the air takes of a velocity, 1/s: the kerchief comes to rest some seconds after the hand.
-const DRAG: f64 = 2.0;
-/// What moves by less than seven pixels a second, and gets no further than a pixel in a second, rests.
-const STILL: Stillness = Stillness { speed: 0.01, acceleration: 0.01, time: 1.0 };
+const DRAG: f64 = 4.0;
+/// What moves by less than ten pixels a second, and gets no further than a pixel in that time, rests.
+const STILL: Stillness = Stillness { speed: 0.015, acceleration: 0.015, time: 1.0 };
 /// How far a feeling may be from the sensor's, along each axis: a hundredth of a weight. A sensor at rest trembles by less.
 const PLAY: i32 = WEIGHT / 100;
 /// At rest it is attentive in one of so many steps.
