@@ -1,6 +1,6 @@
 //! The accelerometer of a QMI8658 on I2C (QST, *QMI8658C datasheet*). It has a gyroscope, too, which stays off.
 //!
-//! Of the drivers on crates.io one waits for interrupts by `async` and needs a newer Rust, so this one is here: it takes any bus of `embedded-hal` 1.0.
+//! The maintained driver (`ph-qmi8658` 0.1.1) is for `embedded-hal-async` and Rust 1.92. This one takes any bus of `embedded-hal` 1.0.
 
 use embedded_hal::i2c::I2c;
 
@@ -33,19 +33,18 @@ pub(crate) struct Qmi8658<I> {
 
 impl<I: I2c> Qmi8658<I> {
     /// Starts the sensor: an error if there is none.
+    ///
+    /// Its settings come before the question what it is: after a read, `rp2040-hal` 0.12 takes the read's end for that of the next write, and drops the latter.
     pub(crate) fn start(bus: I) -> Result<Self, NoSensor> {
         let mut sensor = Self { bus, address: 0 };
-        let answers = |address: &u8| {
-            sensor.address = *address;
-            matches!(sensor.read(WHO_AM_I), Ok([IDENTITY]))
-        };
-        if !ADDRESSES.iter().any(answers) {
-            return Err(NoSensor);
+        for address in ADDRESSES {
+            sensor.address = address;
+            let is_set = SETTINGS.iter().all(|setting| sensor.bus.write(address, setting).is_ok());
+            if is_set && matches!(sensor.read(WHO_AM_I), Ok([IDENTITY])) {
+                return Ok(sensor);
+            }
         }
-        for setting in SETTINGS {
-            sensor.bus.write(sensor.address, &setting).map_err(|_| NoSensor)?;
-        }
-        Ok(sensor)
+        Err(NoSensor)
     }
 
     /// What it feels along its axes, in 4096ths of a weight. At rest that points up.

@@ -12,6 +12,8 @@ import { load } from './rp2040.mjs';
 
 const SIDE = 240;
 const PATIENCE = 1e9;
+// Who is to come to rest by himself does so by then.
+const LIMIT = 30e9;
 
 // An LCD of the ST7789's family: its commands, its window and its memory. `more` are commands of one controller, and how many parameters each has.
 class Lcd {
@@ -149,6 +151,10 @@ export async function play({ spi: bus, data, select, reset, commands = {}, acces
             drain();
             idle = [bytes, core.cycles - awake];
             shots.push(Array.from(lcd.memory));
+            break;
+        } else if (orders.until === null && clock.nanos > LIMIT) {
+            drain();
+            wrong('no rest');
             break;
         } else if (at === orders.failed) {
             drain();
