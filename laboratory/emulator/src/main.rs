@@ -184,10 +184,12 @@ fn end_lcd(run: &Run) -> Result<()> {
 }
 
 fn run_tilt(program: &Path, arguments: &Arguments) -> Result<()> {
-    /// As many pictures as browsers show without a pause, and as few as a film of ten seconds can have.
-    const STRIDE: usize = 4;
+    /// Some fifteen pictures a second.
+    const STRIDE: usize = 3;
     /// Steps of rest at the film's end.
     const REST: u32 = ::tilt::show::RATE;
+    /// Steps between two pictures, at least, where the kerchief rests.
+    const GAP: u32 = 6;
     // more pictures than there can be
     const MOST: usize = 10_000;
     let filmed = arguments.gif.is_some();
@@ -203,7 +205,7 @@ fn run_tilt(program: &Path, arguments: &Arguments) -> Result<()> {
     }
     if let Some(path) = &arguments.gif {
         // from where the table's rest ends: what came before is how the kerchief was put there
-        let starts = run.steps.windows(2).filter(|steps| steps[1] > steps[0] + 1).map(|steps| steps[1]);
+        let starts = run.steps.windows(2).filter(|steps| steps[1] >= steps[0] + GAP).map(|steps| steps[1]);
         let start = starts.min().unwrap_or(0);
         let pictures = shown(&run, plan.shots.as_deref().unwrap_or_default()).filter(|(step, _)| *step >= start);
         let pictures: Vec<_> = pictures.map(|(step, shot)| (step, tilt::picture(shot))).collect();
