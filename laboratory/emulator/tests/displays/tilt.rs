@@ -158,9 +158,7 @@ fn a_board_without_a_sensor_says_so_and_hangs_its_kerchief_down() {
 fn shaking_hardly_stretches_the_kerchief() {
     for weights in SHAKES {
         // along each axis, in turns that never repeat
-        let wave = |step: u32, period: f64| {
-            (weights * f64::from(WEIGHT) * (f64::from(step) / period).sin()) as i32
-        };
+        let wave = |step: u32, period: f64| (weights * f64::from(WEIGHT) * (f64::from(step) / period).sin()) as i32;
         let mut show = Show::new();
         let (mut largest, mut nearest, mut farthest) = (0.0_f64, 0.0_f64, 0.0_f64);
         for step in 0..SHAKEN * RATE {
