@@ -1,8 +1,10 @@
 //! The boards that show something.
 
 pub mod feather;
+pub mod lcd;
 pub mod microbit;
 pub mod oled;
 pub mod pico;
 mod rp2040;
 pub mod ssd1306;
+pub mod tilt;

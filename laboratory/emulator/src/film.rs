@@ -5,29 +5,30 @@ use std::path::Path;
 
 use color_quant::NeuQuant;
 use gif::{Encoder, Frame, Repeat};
+use image::RgbImage;
 
 use crate::Result;
-use crate::board::pico::{SIDE, picture};
+use crate::board::lcd::SIDE;
 
-/// Writes pictures one after another, forever: one for every `stride` steps, of which there are `rate` in a second.
-pub fn save(shots: &[Vec<u16>], stride: u32, rate: u32, path: &Path) -> Result<()> {
-    let pictures: Vec<_> = shots.iter().map(|shot| picture(shot)).collect();
+/// Writes pictures one after another, forever: each with the step that it shows, of which there are `rate` in a second. The last one is seen for `last` steps.
+pub fn save(pictures: &[(u32, RgbImage)], last: u32, rate: u32, path: &Path) -> Result<()> {
     let sample: Vec<u8> = pictures
         .iter()
         .step_by(8)
-        .flat_map(|picture| picture.pixels().flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]))
+        .flat_map(|(_, picture)| picture.pixels().flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]))
         .collect();
     // the colours of all pictures, so that none of them flickers
     let quantizer = NeuQuant::new(10, 256, &sample);
     let side = SIDE as u16;
     let mut encoder = Encoder::new(File::create(path)?, side, side, &quantizer.color_map_rgb())?;
     encoder.set_repeat(Repeat::Infinite)?;
-    let hundredths = |picture: u32| picture * stride * 100 / rate;
-    for (k, picture) in (0..).zip(&pictures) {
+    let hundredths = |step: u32| step * 100 / rate;
+    for (k, (step, picture)) in pictures.iter().enumerate() {
         let indices: Vec<u8> =
             picture.pixels().map(|pixel| quantizer.index_of(&[pixel[0], pixel[1], pixel[2], 255]) as u8).collect();
         let mut frame = Frame::from_indexed_pixels(side, side, indices, None);
-        frame.delay = (hundredths(k + 1) - hundredths(k)) as u16;
+        let next = pictures.get(k + 1).map_or(step + last, |(next, _)| *next);
+        frame.delay = (hundredths(next) - hundredths(*step)) as u16;
         encoder.write_frame(&frame)?;
     }
     Ok(())

@@ -11,7 +11,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, ValueEnum};
-use emulator::board::{feather, microbit, oled, pico, ssd1306};
+use emulator::board::lcd::{self, Run};
+use emulator::board::{feather, microbit, oled, pico, ssd1306, tilt};
 use emulator::qemu::Qemu;
 use emulator::{Firmware, Result, film, footprint, photograph};
 use image::{Rgb, RgbImage};
@@ -28,10 +29,10 @@ struct Arguments {
     /// Where the display is drawn, anew after every picture.
     #[arg(long)]
     png: Option<PathBuf>,
-    /// Where an animation of the last ten seconds is written (pico).
+    /// Where an animation is written: of the last ten seconds (pico), or of the whole gesture (tilt).
     #[arg(long)]
     gif: Option<PathBuf>,
-    /// What is read from the flash comes through a model of its cache (pico).
+    /// What is read from the flash comes through a model of its cache (pico, tilt).
     #[arg(long)]
     cached: bool,
     /// The time of an instruction is 2 to the power of this, in nanoseconds.
@@ -51,6 +52,8 @@ enum Board {
     Pico,
     /// Raspberry Pi Pico, OLED of 128 × 64 pixels on I2C, in rp2040js
     Ssd1306,
+    /// Waveshare RP2040-LCD-1.28, round LCD and an accelerometer that feels a gesture, in rp2040js
+    Tilt,
 }
 
 fn main() -> ExitCode {
@@ -71,6 +74,7 @@ fn run(arguments: &Arguments) -> Result<()> {
         Board::Oled => &oled::FIRMWARE,
         Board::Pico => &pico::FIRMWARE,
         Board::Ssd1306 => &ssd1306::FIRMWARE,
+        Board::Tilt => &tilt::FIRMWARE,
     })?;
     let [flash, ram] = footprint::of(&program)?;
     println!("{flash} bytes of flash, {ram} bytes of RAM and the stack");
@@ -80,6 +84,7 @@ fn run(arguments: &Arguments) -> Result<()> {
         Board::Oled => run_oled(&program, arguments),
         Board::Pico => run_pico(&program, arguments),
         Board::Ssd1306 => run_ssd1306(&program, arguments),
+        Board::Tilt => run_tilt(&program, arguments),
     }
 }
 
@@ -154,17 +159,57 @@ fn run_pico(program: &Path, arguments: &Arguments) -> Result<()> {
     let progress = Progress::steps(arguments.steps);
     let run = pico::run(program, &plan, |step| progress.step(step))?;
     drop(progress);
+    end_lcd(&run)?;
+    if let (Some(path), Some(last)) = (&arguments.png, run.shots.last()) {
+        save(&photograph::photograph(&lcd::picture(last), 2, 0), path)?;
+    }
+    if let Some(path) = &arguments.gif {
+        let pictures: Vec<_> = shown(&run, &plan.shots).map(|(step, shot)| (step, lcd::picture(shot))).collect();
+        film::save(&pictures, STRIDE as u32, ::pico::show::RATE, path)?;
+    }
+    Ok(())
+}
+
+/// Shots of these pictures, with the step that each shows.
+fn shown<'a>(run: &'a Run, pictures: &'a [usize]) -> impl Iterator<Item = (u32, &'a Vec<u16>)> {
+    pictures.iter().filter_map(|picture| run.steps.get(picture - 1)).copied().zip(&run.shots)
+}
+
+/// Shows the log and how much stack was used, and what was wrong.
+fn end_lcd(run: &Run) -> Result<()> {
     run.log.iter().for_each(|line| println!("{line}"));
     let [used, size] = run.stack;
     println!("{used} of {size} bytes of stack were used");
-    if !run.errors.is_empty() {
-        return Err(run.errors.join("\n").into());
-    }
+    if run.errors.is_empty() { Ok(()) } else { Err(run.errors.join("\n").into()) }
+}
+
+fn run_tilt(program: &Path, arguments: &Arguments) -> Result<()> {
+    /// Some fifteen pictures a second.
+    const STRIDE: usize = 3;
+    /// Steps of rest at the film's end.
+    const REST: u32 = ::tilt::show::RATE;
+    /// Steps between two pictures, at least, where the kerchief rests.
+    const GAP: u32 = 6;
+    // more pictures than there can be
+    const MOST: usize = 10_000;
+    let filmed = arguments.gif.is_some();
+    let shots: Vec<_> = if filmed { (1..MOST).step_by(STRIDE).collect() } else { Vec::new() };
+    let until = (!filmed).then_some(arguments.steps);
+    let plan = tilt::Plan { until, shots: Some(shots), cached: arguments.cached, ..tilt::Plan::default() };
+    let progress = Progress::steps(arguments.steps);
+    let run = tilt::run(program, &plan, |step| progress.step(step))?;
+    drop(progress);
+    end_lcd(&run)?;
     if let (Some(path), Some(last)) = (&arguments.png, run.shots.last()) {
-        save(&photograph::photograph(&pico::picture(last), 2, 0), path)?;
+        save(&photograph::photograph(&tilt::picture(last), 2, 0), path)?;
     }
     if let Some(path) = &arguments.gif {
-        film::save(&run.shots, STRIDE as u32, ::pico::show::RATE, path)?;
+        // from where the table's rest ends: what came before is how the kerchief was put there
+        let starts = run.steps.windows(2).filter(|steps| steps[1] >= steps[0] + GAP).map(|steps| steps[1]);
+        let start = starts.min().unwrap_or(0);
+        let pictures = shown(&run, plan.shots.as_deref().unwrap_or_default()).filter(|(step, _)| *step >= start);
+        let pictures: Vec<_> = pictures.map(|(step, shot)| (step, tilt::picture(shot))).collect();
+        film::save(&pictures, REST, ::tilt::show::RATE, path)?;
     }
     Ok(())
 }

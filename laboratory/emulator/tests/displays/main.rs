@@ -7,3 +7,4 @@ mod oled;
 mod pico;
 mod report;
 mod ssd1306;
+mod tilt;

@@ -7,7 +7,8 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
 use embedded_graphics_simulator::SimulatorDisplay;
-use emulator::board::pico::{FIRMWARE, Plan, Run, SIDE, run};
+use emulator::board::lcd::{Run, SIDE};
+use emulator::board::pico::{FIRMWARE, Plan, run};
 use kerchief::{Scalar, measure};
 use pico::show::{RATE, SCREEN, Show};
 

@@ -4,11 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use emulator::board::{feather, microbit, oled, pico};
+use emulator::board::{feather, microbit, oled, pico, tilt};
 use emulator::{Firmware, footprint, root, target};
 
-/// A board of each target, and the demo board.
-const BOARDS: [Firmware<'static>; 4] = [microbit::FIRMWARE, oled::FIRMWARE, feather::FIRMWARE, pico::FIRMWARE];
+/// Every board of `boards`, and the demo board.
+const BOARDS: [Firmware<'static>; 5] =
+    [microbit::FIRMWARE, oled::FIRMWARE, feather::FIRMWARE, tilt::FIRMWARE, pico::FIRMWARE];
 
 #[test]
 fn a_copy_of_a_board_builds_anywhere() {
@@ -73,6 +74,13 @@ fn what_packages_have_in_common_is_the_same() {
         ["examples/pico/src/meter.rs", "boards/oled/src/meter.rs"],
         ["examples/pico/src/pace.rs", "boards/oled/src/pace.rs"],
         ["laboratory/firmware/src/clock.rs", "boards/feather/src/clock.rs"],
+        ["examples/pico/src/chip.rs", "boards/tilt/src/chip.rs"],
+        ["examples/pico/src/clock.rs", "boards/tilt/src/clock.rs"],
+        ["examples/pico/src/divider.rs", "boards/tilt/src/divider.rs"],
+        ["examples/pico/src/fast.rs", "boards/tilt/src/fast.rs"],
+        ["examples/pico/src/meter.rs", "boards/tilt/src/meter.rs"],
+        ["examples/pico/src/pace.rs", "boards/tilt/src/pace.rs"],
+        ["examples/pico/src/picture.rs", "boards/tilt/src/picture.rs"],
     ];
     for files in copies {
         let [first, second] = files.map(|file| fs::read_to_string(root().join(file)).unwrap());
