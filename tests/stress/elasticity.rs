@@ -93,10 +93,10 @@ struct Goal {
 
 /// One sweep in a substep where a tolerance is 1.
 const GOALS: [Goal; 4] = [
-    Goal { scene: Thesis::Gravity, springs: 0.2537, substeps: 5, tolerance: 1.0, limit: Some(0.34), cost: 0.75 },
-    Goal { scene: Thesis::Sphere, springs: 0.1459, substeps: 5, tolerance: 1.0, limit: Some(0.24), cost: 0.7 },
-    Goal { scene: Thesis::Wind, springs: 0.0179, substeps: 1, tolerance: 0.15, limit: None, cost: 0.25 },
-    Goal { scene: Thesis::NoShear, springs: 0.1681, substeps: 6, tolerance: 1.0, limit: Some(0.26), cost: 1.0 },
+    Goal { scene: Thesis::Gravity, springs: 0.2537, substeps: 5, tolerance: 1.0, limit: Some(0.34), cost: 0.8 },
+    Goal { scene: Thesis::Sphere, springs: 0.1459, substeps: 5, tolerance: 1.0, limit: Some(0.24), cost: 0.8 },
+    Goal { scene: Thesis::Wind, springs: 0.0179, substeps: 1, tolerance: 0.15, limit: None, cost: 0.33 },
+    Goal { scene: Thesis::NoShear, springs: 0.1681, substeps: 6, tolerance: 1.0, limit: Some(0.26), cost: 1.2 },
 ];
 
 #[test]

@@ -22,8 +22,8 @@ pub const WEIGHT: i32 = 4096;
 
 /// Substeps of a step. With two of them rows are strained too much where the hand shakes it, and substeps are split into more than these.
 const SUBSTEPS: u32 = 3;
-/// One sweep or more, until rows are strained by no more than 1.4 %.
-const LINES: Lines = Lines::with_sweeps(1).within(0.014);
+/// Eight sweeps at most, found by shaking on a host: with fewer rows are strained by more than 3 %.
+const LINES: Lines = Lines { most_sweeps: 8, ..Lines::with_sweeps(1) };
 /// kg/m²
 const DENSITY: f64 = 0.1;
 /// The kerchief's side, m.
@@ -38,7 +38,7 @@ const VIEW: View = View::new(0.0, 0.0).at(SHEET.units.point([0.0; 3]), SHEET.uni
 const STRETCH: f64 = 4e3;
 const SHEAR: f64 = 6.0;
 /// What the air takes of a velocity, 1/s: the kerchief comes to rest some seconds after the hand.
-const DRAG: f64 = 4.0;
+const DRAG: f64 = 6.0;
 /// What moves by less than ten pixels a second, and gets no further than a pixel in that time, rests.
 const STILL: Stillness = Stillness { speed: 0.015, acceleration: 0.015, time: 1.0 };
 /// How far a feeling may be from the sensor's, along each axis: a hundredth of a weight. A sensor at rest trembles by less.

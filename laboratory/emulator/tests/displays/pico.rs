@@ -21,8 +21,8 @@ const STACK: usize = 32 << 10;
 const PRESSED: [usize; 2] = [122, 132];
 /// 200 MHz.
 const FREQUENCY: u32 = 200_000_000;
-/// Pictures in a second, at least: in any second, and in the second one, in which the flag flies.
-const RATES: [u32; 2] = [55, 60];
+/// Pictures in a second, at least.
+const PICTURES: u32 = 60;
 /// Seconds of gusts that a host plays.
 const PLAYED: u32 = 200;
 /// The largest strain in them.
@@ -73,7 +73,7 @@ fn the_pico_shows_what_a_host_computes() {
             assert_eq!(report.digest, measure::digest(&show.cloth), "after step {step}");
             // what it shows from the next picture on
             show.note(report.rate, FREQUENCY / 1_000_000);
-            assert!(report.rate >= RATES[0], "{} pictures a second", report.rate);
+            assert!(report.rate >= PICTURES, "{} pictures a second", report.rate);
         }
     }
     assert_same_picture(shots.next().expect("a shot at rest"), &mut show, before);
@@ -93,9 +93,7 @@ fn the_pico_shows_what_a_host_computes() {
 
 /// The second line of the log: a flag in gusts, without what the start costs.
 fn flying(reports: &BTreeMap<u32, Report>) -> &Report {
-    let gusts = reports.values().nth(1).expect("two lines");
-    assert!(gusts.rate >= RATES[1], "{} pictures a second", gusts.rate);
-    gusts
+    reports.values().nth(1).expect("two lines")
 }
 
 #[test]
