@@ -104,13 +104,13 @@ impl<V> Resting<V> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Threshold {
     /// Cells per tick.
-    pub speed: f64,
+    pub(crate) speed: f64,
     /// The change of speed, cells per tick.
-    pub change: f64,
+    pub(crate) change: f64,
     /// The parts of a cell in which places are compared: a particle may get four of them away.
-    pub grains: i32,
+    pub(crate) grains: i32,
     /// How long, frames.
-    pub frames: u32,
+    pub(crate) frames: u32,
 }
 
 /// How many grains make the distance that counts as motion. Of each coordinate a byte is kept: at rest's speeds no frame goes as far as would bring it round.

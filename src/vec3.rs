@@ -47,7 +47,7 @@ impl<S: Scalar> Vec3<S> {
 
     /// The scalar product in full width.
     #[inline]
-    pub fn dot_wide(self, other: Self) -> S::Product {
+    pub(crate) fn dot_wide(self, other: Self) -> S::Product {
         self.x.product(other.x) + self.y.product(other.y) + self.z.product(other.z)
     }
 
@@ -90,54 +90,54 @@ impl<S: Scalar> Vec3<S> {
     /// `self · ratio` for `|ratio| ≤ 1`.
     #[inline(always)]
     #[must_use]
-    pub fn scaled(self, ratio: S) -> Self {
+    pub(crate) fn scaled(self, ratio: S) -> Self {
         self.map(|component| component.scaled(ratio))
     }
 
     /// The vector of length `length` in this direction, rounded as told.
     #[inline(always)]
     #[must_use]
-    pub fn of_length(self, length: S, rounding: Rounding) -> Self {
+    pub(crate) fn of_length(self, length: S, rounding: Rounding) -> Self {
         self.map(|component| length.scaled_as(component, rounding))
     }
 
     /// What [`Scalar::correction`] makes of this edge.
     #[inline(always)]
     #[must_use]
-    pub fn correction(self, rest: &Rest<S>, part: S, rounding: Rounding) -> Self {
+    pub(crate) fn correction(self, rest: &Rest<S>, part: S, rounding: Rounding) -> Self {
         Self::of(S::correction(self.array(), rest, part, rounding))
     }
 
     /// `|self| − L` and `self/|self|`.
     #[inline(always)]
-    pub fn direction(self, rest: &Rest<S>) -> (S, Self) {
+    pub(crate) fn direction(self, rest: &Rest<S>) -> (S, Self) {
         let (excess, normal) = S::direction(self.array(), rest);
         (excess, Self::of(normal))
     }
 
     /// The cosine of the angle between two directions.
     #[inline(always)]
-    pub fn cosine(self, other: Self) -> S {
+    pub(crate) fn cosine(self, other: Self) -> S {
         S::cosine(self.array(), other.array())
     }
 
     /// What [`Scalar::press`] gives the corners of a panel with these diagonals in air of this relative velocity.
     #[inline(always)]
-    pub fn press([a, b]: [Self; 2], air: Self, panel: &S::Panel, most: impl FnOnce() -> S) -> Option<Self> {
+    pub(crate) fn press([a, b]: [Self; 2], air: Self, panel: &S::Panel, most: impl FnOnce() -> S) -> Option<Self> {
         S::press([a.array(), b.array()], air.array(), panel, most).map(Self::of)
     }
 
     /// What [`Scalar::press_any`] gives them.
     #[inline]
     #[must_use]
-    pub fn press_any([a, b]: [Self; 2], air: Self, panel: &S::Panel, most: S) -> Self {
+    pub(crate) fn press_any([a, b]: [Self; 2], air: Self, panel: &S::Panel, most: S) -> Self {
         Self::of(S::press_any([a.array(), b.array()], air.array(), panel, most))
     }
 
     /// A quarter of `self + other`.
     #[inline(always)]
     #[must_use]
-    pub fn quarter_of_sum(self, other: Self) -> Self {
+    pub(crate) fn quarter_of_sum(self, other: Self) -> Self {
         Self::new(self.x.quarter_of_sum(other.x), self.y.quarter_of_sum(other.y), self.z.quarter_of_sum(other.z))
     }
 
@@ -169,7 +169,7 @@ impl<S: Scalar> Vec3<S> {
     /// `self · 2^shift`.
     #[inline]
     #[must_use]
-    pub fn double(self, shift: u32) -> Self {
+    pub(crate) fn double(self, shift: u32) -> Self {
         self.map(|component| component.double(shift))
     }
 
