@@ -85,8 +85,11 @@ pub(super) fn displace_node<S: Scalar, const W: usize, const H: usize>(
     by: Vec3<S>,
     moment: Moment,
 ) {
-    let (position, velocity) = (&mut particles.position.0[node.row], &mut particles.velocity.0[node.row]);
-    displace(position, velocity, node.column, by, moment);
+    if S::EXACT_SUMS {
+        particles.position.add(node, by);
+    } else {
+        particles.displace(node, by, moment);
+    }
 }
 
 /// The same for all particles of a row.
