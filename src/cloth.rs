@@ -12,8 +12,8 @@ use crate::vec3::Vec3;
 
 /// A sheet of `W` columns and `H` rows of particles. A sheet of one column is a chain.
 ///
-/// It is its [`Particles`], whose fields and methods are the cloth's: `cloth.position`, `cloth.velocity`, `cloth.inverse_mass`. Besides it knows whether they
-/// may have changed, so that a sheet [at rest](crate::rest) needs not look at each.
+/// It dereferences to its [`Particles`]: `cloth.position`, `cloth.velocity`, `cloth.inverse_mass`. It also tracks whether they may have changed, so that a
+/// sheet [at rest](crate::rest) needs not read each of them.
 ///
 /// ```
 /// use kerchief::{Cloth, Node, Q24, Units, Vec3};
@@ -27,13 +27,14 @@ use crate::vec3::Vec3;
 #[derive(Clone, Copy, Debug)]
 pub struct Cloth<S, const W: usize, const H: usize> {
     particles: Particles<S, W, H>,
-    /// A hash of the particles; nothing where they may have changed since it was taken. Zero bits are nothing, so that [`BLANK`](Self::BLANK) is zeros alone
-    /// and takes no flash.
+    /// A hash of the particles; `None` if they may have changed since it was computed. `None` has only zero bits, so that [`BLANK`](Self::BLANK) consists of
+    /// zeros and takes no flash.
     hash: Option<NonZeroU32>,
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
-    /// Nothing but zeros: room in a `static` for a sheet that is [laid](Self::lay_here) or [hung](Self::hang_here) there, so that it is never on the stack.
+    /// All zeros: the initial value of a `static` in which a sheet is [laid](Self::lay_here) or [hung](Self::hang_here) in place, so that it is never on the
+    /// stack.
     ///
     /// ```
     /// use std::sync::Mutex; // on a board a cell of the crate `static_cell`
@@ -70,7 +71,7 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
         cloth
     }
 
-    /// Makes a [flat sheet](Self::lay) of it, whatever it was: at rest, no pins.
+    /// Makes it a [flat sheet](Self::lay) at rest, without pins, whatever it was before.
     ///
     /// # Panics
     /// If a particle would be beyond the range of the number type.
@@ -79,7 +80,7 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
         self.spread(units, origin, |down| Vec3::new(S::ZERO, down, S::ZERO));
     }
 
-    /// Makes an [upright sheet](Self::hang) of it, whatever it was: at rest, no pins.
+    /// Makes it an [upright sheet](Self::hang) at rest, without pins, whatever it was before.
     ///
     /// # Panics
     /// If a particle would be beyond the range of the number type.
@@ -108,10 +109,10 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
         }
     }
 
-    /// Makes border particles `factor` times as heavy as they are (`factor > 0`).
+    /// Multiplies the masses of the particles on the border by `factor` (`factor > 0`).
     ///
     /// # Panics
-    /// For any other factor, and in fixed point for one that leaves less than a 127th of a particle's mass.
+    /// For any other factor, and in fixed point for a factor that leaves less than 1/127 of a particle's mass.
     #[track_caller]
     pub fn hem(&mut self, factor: S) {
         assert!(factor > S::ZERO && factor.is_finite(), "a hem's factor is positive and finite");
@@ -124,8 +125,8 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
         }
     }
 
-    /// Gives each particle the mass of its share of the cells: where an inner particle has mass 1, one on an edge has ½ and one in a
-    /// corner ¼. It forgets hems and pins: share first.
+    /// Gives each particle the mass of its share of the cells: 1 for an inner particle, ½ on an edge, ¼ in a corner. This overwrites hems and pins: call it
+    /// before them.
     pub fn share_area(&mut self) {
         for node in Grid::<S, W, H>::nodes() {
             let halvings =
@@ -134,7 +135,7 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
         }
     }
 
-    /// Holds a particle where it is.
+    /// Pins a particle at its present position.
     ///
     /// # Panics
     /// If the sheet has no such particle.
@@ -145,7 +146,7 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
         self.velocity.set(node, Vec3::ZERO);
     }
 
-    /// Lets a pinned particle go, with this inverse mass.
+    /// Releases a pinned particle and gives it this inverse mass.
     ///
     /// # Panics
     /// If the sheet has no such particle, or the inverse mass is negative or not finite.
@@ -156,7 +157,7 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
         self.inverse_mass[node] = inverse_mass;
     }
 
-    /// Takes the particles in, but looks at them only where they may have changed since the last time.
+    /// Adds the particles to a fingerprint. It reads them only if they may have changed since the last call.
     pub(crate) fn fingerprint(&mut self, print: &mut Fingerprint) {
         let hash = self.hash.map_or_else(
             || {
@@ -166,7 +167,7 @@ impl<S: Scalar, const W: usize, const H: usize> Cloth<S, W, H> {
             },
             NonZeroU32::get,
         );
-        // one in 2³² is zero: it is taken anew each time
+        // one hash in 2³² is zero: it is computed anew each time
         self.hash = NonZeroU32::new(hash);
         print.word(hash);
     }
@@ -181,7 +182,7 @@ impl<S, const W: usize, const H: usize> Deref for Cloth<S, W, H> {
     }
 }
 
-/// Whoever may write is taken to have written.
+/// Every mutable access counts as a change.
 impl<S, const W: usize, const H: usize> DerefMut for Cloth<S, W, H> {
     #[inline]
     fn deref_mut(&mut self) -> &mut Self::Target {
@@ -190,7 +191,7 @@ impl<S, const W: usize, const H: usize> DerefMut for Cloth<S, W, H> {
     }
 }
 
-/// Equal are sheets of equal particles.
+/// Sheets are equal if their particles are.
 impl<S: PartialEq, const W: usize, const H: usize> PartialEq for Cloth<S, W, H> {
     fn eq(&self, other: &Self) -> bool {
         self.particles == other.particles
@@ -202,7 +203,7 @@ const fn check_node<const W: usize, const H: usize>(node: Node) {
     assert!(node.column < W && node.row < H, "the sheet has no particle in this column and row");
 }
 
-/// Whether places that follow one another along an axis stay in the range: fixed point would come back from its other end.
+/// Whether successive positions along an axis stay in the range. In fixed point a position beyond it would wrap to the other end.
 fn does_not_wrap<S: Scalar>(from: S, step: S, count: usize) -> bool {
     let mut place = from;
     (1..count).all(|_| {

@@ -1,7 +1,7 @@
-//! What a sheet can't pass through: sphere, plane, capsule.
+//! Obstacles: sphere, plane, capsule.
 //!
-//! A particle closer than the margin to a surface is moved out along the normal to exactly that distance; friction is Coulomb's
-//! coefficient on the displacement along the surface. `()` is nothing in the way; a tuple, a slice or a `heapless::Vec` is all of its members.
+//! A particle closer than the margin to a surface is moved out along the normal to exactly that distance; friction is Coulomb's coefficient, applied to the
+//! displacement along the surface. `()` is no obstacle; a tuple, a slice or a `heapless::Vec` combines its members.
 
 mod capsule;
 mod moving;
@@ -24,31 +24,31 @@ pub use moving::Moving;
 pub use plane::Plane;
 pub use sphere::Sphere;
 
-/// Something in the sheet's way.
+/// An obstacle.
 pub trait Collider<S: Scalar> {
-    /// Whether there is anything at all: where not, nothing is computed for it.
+    /// Whether there is any obstacle: if not, nothing is computed.
     #[inline]
     fn is_present(&self) -> bool {
         true
     }
 
-    /// How a particle at `position`, `moved` so far in this substep, meets a surface; `None` where it may stay.
+    /// The contact of a particle at `position`, which `moved` in this substep; `None` if it touches no surface.
     fn contact(&self, moment: Moment, position: Vec3<S>, moved: Vec3<S>) -> Option<Contact<S>>;
 
-    /// Whether a particle somewhere between the corners `low` and `high` of a box may have to move: whole rows are skipped by it. Never false where
-    /// [`contact`](Self::contact) would be something.
+    /// Whether a particle somewhere between the corners `low` and `high` of a box may have a contact: whole rows are skipped by this test. Never false if
+    /// [`contact`](Self::contact) would be `Some`.
     #[inline]
     fn reaches(&self, _moment: Moment, _low: Vec3<S>, _high: Vec3<S>) -> bool {
         true
     }
 
-    /// Whether particles meet each other: where not, [`meet`](Self::meet) is not called.
+    /// Whether particles collide with each other: if not, [`meet`](Self::meet) is not called.
     #[inline]
     fn meets(&self) -> bool {
         false
     }
 
-    /// Moves particles apart that meet each other, before they are moved out of surfaces: see [`self_contact`](crate::self_contact).
+    /// Separates colliding particles, before they are moved out of surfaces: see [`self_contact`](crate::self_contact).
     #[inline]
     fn meet<const W: usize, const H: usize>(
         &self,
@@ -57,11 +57,11 @@ pub trait Collider<S: Scalar> {
     ) {
     }
 
-    /// Moves the collider on to `end`, the end of a frame.
+    /// Moves the collider to `end`, the end of a frame.
     #[inline]
     fn advance(&mut self, _end: Moment) {}
 
-    /// Takes all in that the collider depends on, so that a sheet at rest wakes when it changes: see [`rest`](crate::rest). What is left at its default
+    /// Adds all data that the collider depends on, so that a sheet at rest wakes when it changes: see [`rest`](crate::rest). A collider with the default method
     /// keeps sheets awake.
     #[inline]
     fn fingerprint(&self, print: &mut Fingerprint) {
@@ -69,7 +69,7 @@ pub trait Collider<S: Scalar> {
     }
 }
 
-/// A collider that stays where it is while a scene is stepped: its [`advance`](Collider::advance) does nothing.
+/// A collider that does not move while a scene is stepped: its [`advance`](Collider::advance) does nothing.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` may move, and a step leaves it where it is",
     note = "`scene.play(..)` steps a sheet and moves on what moves; several sheets among the same colliders make a `step_one` each before `scene.advance()`"
@@ -84,14 +84,14 @@ impl<T: Stationary> Stationary for Option<T> {}
 impl<T: Stationary> Stationary for [T] {}
 impl<T: Stationary, const N: usize> Stationary for heapless::Vec<T, N> {}
 
-/// Where a particle meets a surface.
+/// A contact between a particle and a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<S> {
-    /// By how much the particle has to move: out, and back along the surface by friction.
+    /// The particle's correction: outwards, and back along the surface by friction.
     pub by: Vec3<S>,
-    /// The surface's unit normal, to the side that is free.
+    /// The surface's unit normal, towards the free side.
     pub normal: Vec3<S>,
-    /// How far the particle has to move along the normal, cells.
+    /// The correction along the normal, cells.
     pub depth: S,
     /// The surface's velocity, cells per tick.
     pub velocity: Vec3<S>,
@@ -100,13 +100,13 @@ pub struct Contact<S> {
 }
 
 impl<S: Scalar> Contact<S> {
-    /// With a smooth surface at rest.
+    /// Contact with a smooth surface at rest.
     #[inline]
     pub fn smooth(normal: Vec3<S>, depth: S) -> Self {
         Self { by: normal * depth, normal, depth, velocity: Vec3::ZERO, friction: S::ZERO }
     }
 
-    /// The same with a rough one, on which the particle `moved` in this substep: it moves back along the surface by at most `friction · depth`.
+    /// The same contact with friction, for a particle that `moved` in this substep: it moves back along the surface by at most `friction · depth`.
     #[inline]
     #[must_use]
     pub fn rough(self, friction: S, moved: Vec3<S>) -> Self {
@@ -121,19 +121,19 @@ impl<S: Scalar> Contact<S> {
     }
 }
 
-/// How a solver lets particles meet: what it knows of a substep, and what it does to them.
+/// A solver's access to particles during self-contact.
 pub trait Meeting<S: Scalar, const W: usize, const H: usize> {
-    /// The substep.
+    /// The current substep.
     fn moment(&self) -> Moment;
 
-    /// By how much a particle has moved so far in this substep.
+    /// The displacement of a particle so far in this substep.
     fn moved(&self, particles: &Particles<S, W, H>, node: Node) -> Vec3<S>;
 
-    /// Moves two particles apart, the first of them by its share of what a contact asks for. The contact's surface is the second particle.
+    /// Separates two particles: each gets its share of the contact's correction. The contact's surface is the second particle.
     fn separate(&mut self, particles: &mut Particles<S, W, H>, pair: [Node; 2], contact: &Contact<S>);
 }
 
-/// A meeting in a rule of one step: what moves a particle is in its velocity.
+/// Self-contact in a one-step rule: a particle's displacement is in its velocity.
 struct OneStep(Moment);
 
 impl<S: Scalar, const W: usize, const H: usize> Meeting<S, W, H> for OneStep {
@@ -154,7 +154,7 @@ impl<S: Scalar, const W: usize, const H: usize> Meeting<S, W, H> for OneStep {
     }
 }
 
-/// The shares of two particles with these inverse masses in what is done to them against each other: equal ones to the bit if they are equal, so that momentum is kept.
+/// The shares of two particles with these inverse masses in a mutual correction. Equal masses get shares equal to the bit, so that momentum is conserved.
 #[inline(always)]
 pub(crate) fn shared<S: Scalar>(by: Vec3<S>, [first, second]: [S; 2]) -> [Vec3<S>; 2] {
     if first == second {
@@ -164,7 +164,7 @@ pub(crate) fn shared<S: Scalar>(by: Vec3<S>, [first, second]: [S; 2]) -> [Vec3<S
     [by * share, by * (S::ONE - share)]
 }
 
-/// Radius and margin together, cells.
+/// The sum of radius and margin, cells.
 #[track_caller]
 #[inline]
 fn reach<S: Scalar>(radius: Length, margin: Length) -> S {
@@ -176,7 +176,7 @@ fn reach<S: Scalar>(radius: Length, margin: Length) -> S {
     reach
 }
 
-/// A coefficient of friction. As an `f64` it leaves the number type to the scene.
+/// A coefficient of friction. It is an `f64` here, so that the scene determines the number type.
 #[track_caller]
 #[inline]
 pub(crate) fn coefficient<S: Scalar>(friction: f64) -> S {
@@ -185,7 +185,7 @@ pub(crate) fn coefficient<S: Scalar>(friction: f64) -> S {
     S::from_f64(friction)
 }
 
-/// What friction takes of a vector: all of it that is along the surface, but no more than the `grip`.
+/// The part of a vector that friction removes: its component along the surface, at most `grip`.
 #[inline]
 pub(crate) fn friction_limited<S: Scalar>(vector: Vec3<S>, normal: Vec3<S>, grip: S) -> Vec3<S> {
     let along = vector - normal * vector.dot(normal);
@@ -212,7 +212,7 @@ pub(crate) fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>
     );
 }
 
-/// Calls `act` with every free particle that meets `colliders`, given what it `moved` in this substep.
+/// Calls `act` with every free particle in contact with `colliders`, given its displacement `moved` in this substep.
 #[inline]
 pub(crate) fn touch<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
     colliders: &C,
@@ -242,7 +242,7 @@ pub(crate) fn touch<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
     }
 }
 
-/// The corners of a row's box.
+/// The corners of a row's bounding box.
 #[inline]
 fn bounds<S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> [Vec3<S>; 2] {
     let extreme = |row: &[S; W], choose: fn(S, S) -> S| row.iter().fold(row[0], |found, &x| choose(found, x));
@@ -251,7 +251,7 @@ fn bounds<S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> [Vec3<S>; 2] {
     [all(S::min), all(S::max)]
 }
 
-/// The way from a box to a point outside it, without signs; zero where the point is inside.
+/// The distance from a box to a point outside it, along each axis without sign; zero if the point is inside.
 #[inline]
 fn gap<S: Scalar>(low: Vec3<S>, high: Vec3<S>, point: Vec3<S>) -> Vec3<S> {
     let along = |low: S, high: S, x: S| low.difference(x).max(x.difference(high)).max(S::ZERO);
@@ -278,7 +278,7 @@ impl<S: Scalar> Collider<S> for () {
     fn fingerprint(&self, _print: &mut Fingerprint) {}
 }
 
-/// A collider that is there or not, decided while the program runs.
+/// An optional collider, chosen at run time.
 impl<S: Scalar, T: Collider<S>> Collider<S> for Option<T> {
     #[inline]
     fn is_present(&self) -> bool {
@@ -416,7 +416,7 @@ impl<S: Scalar, T: Collider<S>, const N: usize> Collider<S> for heapless::Vec<T,
     }
 }
 
-/// What `total` and then `collider` ask for together; the surface is the last one's.
+/// The sum of the corrections of `total` and then `collider`; the surface is the last one's.
 #[inline]
 fn then<S: Scalar, T: Collider<S>>(
     total: Option<Contact<S>>,

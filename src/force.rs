@@ -1,6 +1,6 @@
-//! What pulls on particles from outside: gravity, drag, wind, a hand.
+//! External forces on particles: gravity, drag, wind, a hand.
 //!
-//! `()` is no force and a tuple is all of its members. A force of your own implements [`Force`].
+//! `()` is no force; a tuple combines its members. A force of your own implements [`Force`].
 
 mod hand;
 mod panel;
@@ -19,28 +19,27 @@ pub use wind::{AerodynamicWind, FacetWind};
 
 /// A force, or none, or several.
 ///
-/// What a force says of itself is at first what no force contradicts, and then costs a little: [`DRAG`](Self::DRAG), [`UNIFORM`](Self::UNIFORM),
-/// [`is_field`](Self::is_field) and [`follows_velocity`](Self::follows_velocity) are for forces that want to cost less.
+/// The defaults are valid for every force and cost a little. A force overrides [`DRAG`](Self::DRAG), [`UNIFORM`](Self::UNIFORM), [`is_field`](Self::is_field)
+/// and [`follows_velocity`](Self::follows_velocity) to cost less.
 pub trait Force<S: Scalar> {
-    /// Whether [`drag`](Self::drag) may be any. A force that says no costs no product.
+    /// Whether [`drag`](Self::drag) may differ from none. `false` saves a product.
     const DRAG: bool = true;
-    /// Whether [`uniform`](Self::uniform) may be anything but zero. A force that says no costs no addition: adding zero is not nothing for a
-    /// float, which knows two of them.
+    /// Whether [`uniform`](Self::uniform) may differ from zero. `false` saves an addition: in floats adding zero is not the identity, as there are two zeros.
     const UNIFORM: bool = true;
 
-    /// Whether the force is a field that [`particles`](Self::particles) or [`cells`](Self::cells) evaluates: if not, they are not called.
+    /// Whether the force is a field, evaluated by [`particles`](Self::particles) or [`cells`](Self::cells): if not, they are not called.
     #[inline]
     fn is_field(&self) -> bool {
         true
     }
 
-    /// The velocity that every particle gains in a substep whatever its mass (cells per tick).
+    /// The velocity change of every particle in a substep, independent of its mass (cells per tick).
     #[inline]
     fn uniform(&self) -> Vec3<S> {
         Vec3::ZERO
     }
 
-    /// How drag slows every particle.
+    /// The drag on every particle.
     #[inline]
     fn drag(&self) -> Slowdown<S> {
         Slowdown::NONE
@@ -52,15 +51,15 @@ pub trait Force<S: Scalar> {
         true
     }
 
-    /// Adds the velocities that the particles of a row would gain in a substep if their mass were 1 (cells per tick).
+    /// Adds the velocity changes of the particles of a row in a substep, for particles of mass 1 (cells per tick).
     #[inline]
     fn particles<const W: usize>(&self, _row: Row<'_, S, W>, _gain: &mut Vec3<[S; W]>) {}
 
-    /// Adds the velocities that the particles of two neighbouring rows would gain from the cells between them.
+    /// Adds the velocity changes, for particles of mass 1, by the cells between two neighbouring rows to the particles of those rows.
     #[inline]
     fn cells<const W: usize>(&self, _rows: [Row<'_, S, W>; 2], _gains: [&mut Vec3<[S; W]>; 2]) {}
 
-    /// Takes all in that the force depends on, so that a sheet at rest wakes when it changes: see [`rest`](crate::rest). What is left at its default keeps
+    /// Adds all data that the force depends on, so that a sheet at rest wakes when it changes: see [`rest`](crate::rest). A force with the default method keeps
     /// sheets awake.
     #[inline]
     fn fingerprint(&self, print: &mut Fingerprint) {
@@ -71,17 +70,17 @@ pub trait Force<S: Scalar> {
 /// A row of particles.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a, S, const W: usize> {
-    /// Which row of the sheet it is.
+    /// The row's number in the sheet.
     pub index: usize,
-    /// Where they are, cells.
+    /// Positions, cells.
     pub position: &'a Vec3<[S; W]>,
-    /// How fast they move, cells per tick.
+    /// Velocities, cells per tick.
     pub velocity: &'a Vec3<[S; W]>,
-    /// Their inverse masses, in that of an ordinary particle; zero for a pin.
+    /// Inverse masses, in 1/[`Units::mass`](crate::Units::mass); zero for a pin.
     pub inverse_mass: &'a [S; W],
 }
 
-/// The exact effect of a drag γ on a substep h: `v(h) = decay·v + gain·h·a` under a constant acceleration a.
+/// The exact effect of a drag γ in a substep h: `v(h) = decay·v + gain·h·a` under a constant acceleration a.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slowdown<S> {
     /// γ·h
@@ -96,7 +95,7 @@ impl<S: Scalar> Slowdown<S> {
     /// No drag.
     pub const NONE: Self = Self { rate: S::ZERO, decay: S::ONE, gain: S::ONE };
 
-    /// Two drags at once.
+    /// The combined effect of two drags.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         if self.rate == S::ZERO {
@@ -110,15 +109,15 @@ impl<S: Scalar> Slowdown<S> {
     }
 }
 
-/// Weight (thesis, 3.3 and listing 5.2). It may change while the sheet moves, as on a board that is tilted.
+/// Gravity (thesis, 3.3 and listing 5.2). It may change while the sheet moves, as on a board that is tilted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gravity<S> {
-    /// The velocity gained in a substep, cells per tick.
+    /// The velocity change in a substep, cells per tick.
     pub gain: Vec3<S>,
 }
 
 impl<S: Scalar> Gravity<S> {
-    /// Gravity of this acceleration.
+    /// Gravity with this acceleration.
     ///
     /// # Panics
     /// If it doesn't [fit](Acceleration::fits) the number type.
@@ -153,14 +152,14 @@ impl<S: Scalar> Force<S> for Gravity<S> {
     }
 }
 
-/// Drag in proportion to a particle's mass and velocity, `−m·γ·v`.
+/// Drag proportional to a particle's mass and velocity, `−m·γ·v`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drag<S> {
     slowdown: Slowdown<S>,
 }
 
 impl<S: Scalar> Drag<S> {
-    /// Drag of this rate.
+    /// Drag with this rate.
     ///
     /// # Panics
     /// If it doesn't [fit](DragRate::fits) the number type.
@@ -217,7 +216,7 @@ impl<S: Scalar> Force<S> for () {
     fn fingerprint(&self, _print: &mut Fingerprint) {}
 }
 
-/// A force that is there or not, decided while the program runs.
+/// An optional force, chosen at run time.
 impl<S: Scalar, T: Force<S>> Force<S> for Option<T> {
     const DRAG: bool = T::DRAG;
     const UNIFORM: bool = T::UNIFORM;

@@ -2,7 +2,7 @@
 
 use core::ops::{Index, IndexMut};
 
-/// A place in a grid.
+/// The address of a node in a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Node {
@@ -26,13 +26,13 @@ pub struct Grid<T, const W: usize, const H: usize>(pub [[T; W]; H]);
 impl<T: Copy, const W: usize, const H: usize> Grid<T, W, H> {
     /// The same value everywhere.
     ///
-    /// A grid without a node, or one whose nodes 32 bits can't count, does not compile.
+    /// A grid without nodes, or with more than 32768 columns or rows, does not compile.
     pub const fn filled(value: T) -> Self {
         const { Self::check() };
         Self([[value; W]; H])
     }
 
-    /// Refuses impossible sizes when it is evaluated at compile time.
+    /// Rejects impossible sizes when evaluated at compile time.
     pub(crate) const fn check() {
         assert!(W > 0 && H > 0, "a grid needs at least one column and one row");
         assert!(W <= 1 << 15 && H <= 1 << 15, "a grid has at most 32768 columns and rows");
@@ -60,7 +60,7 @@ impl<T: Copy, const W: usize, const H: usize> Grid<T, W, H> {
 }
 
 impl<T, const N: usize, const W: usize, const H: usize> Grid<[T; N], W, H> {
-    /// All components of all values as a slice, row by row: what a vertex buffer takes.
+    /// All components of all values as a slice, row by row: the layout of a vertex buffer.
     pub const fn as_flat(&self) -> &[T] {
         self.0.as_flattened().as_flattened()
     }
@@ -81,7 +81,7 @@ impl<T, const W: usize, const H: usize> IndexMut<Node> for Grid<T, W, H> {
     }
 }
 
-/// Calls `visit` with every node. Unlike an iterator it is always inlined, so that no bound needs to be looked at.
+/// Calls `visit` with every node. Unlike an iterator it is always inlined, so that the compiler removes bounds checks.
 #[inline(always)]
 pub(crate) fn each_node<const W: usize, const H: usize>(mut visit: impl FnMut(Node)) {
     for row in 0..H {

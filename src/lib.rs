@@ -1,9 +1,8 @@
 //! Cloth that runs on a microcontroller: a sheet of particles held together by springs, without an allocator and, where the chip
 //! has no floating point, without a float.
 //!
-//! The state ([`Cloth`]) is in RAM and its size is known when it is compiled. The description ([`Scene`]) says what acts on it, as
-//! tuples: `()` is nothing, and what a scene doesn't name costs neither a byte nor an instruction. The number type is a type
-//! parameter, and so is the solver.
+//! The state ([`Cloth`]) is in RAM and its size is known at compile time. The description ([`Scene`]) lists the forces, links and colliders as tuples: `()` is
+//! none. A part that a scene doesn't name costs neither a byte nor an instruction. The number type and the solver are type parameters.
 //!
 //! ```
 //! use kerchief::*;
@@ -23,12 +22,14 @@
 //! assert!(measure::strain(&cloth, &scene.links.0).largest.to_f64() < 0.02);
 //! ```
 //!
-//! `examples/hello.rs` draws this sheet in a terminal, `examples/draw.rs` a denim one as a picture. On a host [scene files](guide::scene_file) describe sheets without a
-//! line of Rust (feature `std`). [The guide](guide) has short pages on sizes, solvers, wind, colliders, drawing, boards and what goes wrong.
+//! `examples/hello.rs` draws this sheet in a terminal, `examples/draw.rs` draws a denim sheet as a picture. On a host, [scene files](guide::scene_file)
+//! describe sheets without a line of Rust (feature `std`). [The guide](guide) has short pages on sizes, solvers, wind, colliders, drawing, boards and common
+//! problems.
 //!
-//! Another number type is another name in `Sheet<Q24, …>`; another solver is another last argument; a wind is one more member of a tuple.
+//! To change the number type, change the name in `Sheet<Q24, …>`; to change the solver, change the last argument; a wind is one more member of the tuple of
+//! forces.
 //!
-//! # In which order to read
+//! # Reading order
 //!
 //! Each module uses only those above it.
 //!
@@ -36,28 +37,28 @@
 //! |---|---|
 //! | [`scalar`] | numbers: `f32`, `f64`, fixed point |
 //! | [`Vec3`], [`Grid`], [`Vectors`] | vectors, and numbers and vectors on a grid |
-//! | [`units`] | cells, ticks and particle masses; the way in from SI |
-//! | [`Moment`] | where in a frame a solver is |
-//! | [`fingerprint`] | whether numbers have changed |
-//! | [`Particles`] | what forces, links, colliders and solvers act on |
+//! | [`units`] | cells, ticks and particle masses; conversion from and to SI |
+//! | [`Moment`] | the position of a substep in its frame |
+//! | [`fingerprint`] | a hash that shows whether numbers have changed |
+//! | [`Particles`] | the particles that forces, links, colliders and solvers act on |
 //! | [`Cloth`] | the state of a sheet |
-//! | `saved` | its way out and back (feature `serde`) |
-//! | [`force`], [`link`], [`collider`] | what acts on it |
-//! | [`solver`] | the ways to move it |
-//! | [`self_contact`] | a sheet that meets itself |
-//! | [`rest`] | when nothing moves, nothing is computed |
+//! | `saved` | saving and restoring it (feature `serde`) |
+//! | [`force`], [`link`], [`collider`] | the physics that acts on it |
+//! | [`solver`] | the solvers that move it |
+//! | [`self_contact`] | contact of a sheet with itself |
+//! | [`rest`] | sheets at rest, which are not computed |
 //! | [`scene`] | the description, and the step |
-//! | [`Sheet`] | size, number type and units said once; the way in |
+//! | [`Sheet`] | size, number type and units in one constant; the usual entry point |
 //! | [`measure`] | strain, energy, momentum, digest |
 //! | [`mesh`] | positions, normals and triangles for a graphics engine |
-//! | [`Ray`] | which particle is under a pixel |
+//! | [`Ray`] | the particle under a pixel |
 //! | `render` | drawing on any `embedded-graphics` display (feature `graphics`) |
 //! | [`host`] | scene files, for programs on a host (feature `std`) |
 //!
 //! # Guarantees
 //!
-//! A step cannot fail: what makes no sense is refused where a scene is put together, by the compiler in constants and with a panic elsewhere. The same scene
-//! gives the same bits on every target, for every number type: only `+ − × ÷` and the square root are used, each rounded once, in one order. There is no unsafe code.
+//! A step cannot fail: invalid parameters are rejected when a scene is built, by the compiler in constants and with a panic elsewhere. The same scene gives the
+//! same bits on every target, for every number type: only `+ − × ÷` and the square root are used, each rounded once, in one order. There is no unsafe code.
 #![no_std]
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -73,7 +74,7 @@ pub mod collider;
 pub mod fingerprint;
 pub mod force;
 mod grid;
-// pages of documentation, without an item
+// documentation only: it contains no items
 #[cfg(doc)]
 pub mod guide;
 #[cfg(feature = "std")]

@@ -1,7 +1,7 @@
-//! What holds particles together: stretch, shear and bend springs, their damping, tethers, the strain limit.
+//! Links between particles: stretch, shear and bend springs, their dampers, tethers, the strain limit.
 //!
-//! A family of links is a pattern of grid offsets. Its links are visited, never stored. `()` is no link and a tuple is all of its
-//! members. A family of your own implements [`Links`].
+//! A family of links is a pattern of grid offsets. Its links are enumerated, never stored. `()` is no link; a tuple combines its members. A family of your own
+//! implements [`Links`].
 
 mod count;
 mod limit;
@@ -24,26 +24,26 @@ pub use tether::Tether;
 
 /// A family of links, or none, or several.
 pub trait Links<S: Scalar> {
-    /// How many directions of springs [`springs`](Self::springs) shows at most: `Directions<2>` for rows and columns. Solvers have room for
-    /// as many, and skip sweeps over none.
+    /// The number of directions of springs that [`springs`](Self::springs) shows at most: `Directions<2>` for rows and columns. Solvers reserve memory for as
+    /// many, and skip sweeps if there are none.
     type Directions: Count;
 
-    /// Whether [`dampers`](Self::dampers) shows any: [`WithDampers`] or [`Undamped`].
+    /// Whether [`dampers`](Self::dampers) may show any: [`WithDampers`] or [`Undamped`].
     type Damping: Damping;
 
-    /// Shows `visitor` every family of springs, in the order in which they are relaxed.
+    /// Shows `visitor` every family of springs, in the order in which solvers relax them.
     #[inline]
     fn springs<V: Visitor<S>>(&self, _visitor: &mut V) {}
 
-    /// Shows `visitor` every family that is damped, with the strength of its dampers.
+    /// Shows `visitor` every damped family, with the strength of its dampers.
     #[inline]
     fn dampers<V: Visitor<S>>(&self, _visitor: &mut V) {}
 
-    /// Moves particles, once the springs are done, until what the links forbid is no more.
+    /// Moves particles, after the springs, until the inequality constraints of the links are satisfied.
     #[inline]
     fn confine<const W: usize, const H: usize>(&self, _particles: &mut Particles<S, W, H>, _moment: Moment) {}
 
-    /// Takes all in that the links depend on, so that a sheet at rest wakes when it changes: see [`rest`](crate::rest). What is left at its default keeps
+    /// Adds all data that the links depend on, so that a sheet at rest wakes when they change: see [`rest`](crate::rest). Links with the default method keep
     /// sheets awake.
     #[inline]
     fn fingerprint(&self, print: &mut Fingerprint) {
@@ -53,16 +53,16 @@ pub trait Links<S: Scalar> {
 
 /// Sees families of links one by one.
 pub trait Visitor<S: Scalar> {
-    /// The links between particles that are `ACROSS` columns and `DOWN` rows apart; where neither is zero, along both diagonals.
+    /// The links between particles that are `ACROSS` columns and `DOWN` rows apart; if neither is zero, along both diagonals.
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>);
 }
 
-/// What the links of a family have in common.
+/// The common properties of a family's links.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Family<S: Scalar> {
     /// Stiffness or damping.
     pub strength: Quotient<S>,
-    /// The length at which a link is at rest.
+    /// The length of a link at rest.
     pub rest: Rest<S>,
 }
 
@@ -99,33 +99,33 @@ impl<S: Scalar> Quotient<S> {
         self.dividend.divide(self.divisor + self.dividend * inverse_mass)
     }
 
-    /// `x · dividend` to the last place, as the dividend of a soft link is small. That of a stiff one is 1.
+    /// `x · dividend`, exact to the last place, because the dividend of a soft link is small. A stiff link has the dividend 1.
     #[inline(always)]
     pub(crate) fn times_dividend(self, x: S) -> S {
         if S::LOOKING_PAYS && self.dividend == S::ONE { x } else { x * self.dividend }
     }
 
-    /// `x · divisor` to the last place, as the divisor of a stiff link is small. That of a soft one is 1; and multipliers start from nothing.
+    /// `x · divisor`, exact to the last place, because the divisor of a stiff link is small. A soft link has the divisor 1, and multipliers start from zero.
     #[inline(always)]
     pub(crate) fn times_divisor(self, x: S) -> S {
         if S::LOOKING_PAYS && (x == S::ZERO || self.divisor == S::ONE) { x } else { x * self.divisor }
     }
 
-    /// `x · dividend` for `|x| ≤ 1`, as far as [`Scalar::scaled`] goes. The dividend of a stiff link is 1.
+    /// `x · dividend` for `|x| ≤ 1`, with the accuracy of [`Scalar::scaled`]. A stiff link has the dividend 1.
     #[inline(always)]
     pub(crate) fn of_dividend(self, x: S) -> S {
         if S::LOOKING_PAYS && self.dividend == S::ONE { x } else { x.scaled(self.dividend) }
     }
 
-    /// Takes the quotient in.
+    /// Adds the quotient to a fingerprint.
     pub(crate) fn fingerprint(self, print: &mut Fingerprint) {
         print.numbers([self.dividend, self.divisor]);
     }
 
-    /// The sum with another one.
+    /// The sum of both quotients.
     pub(crate) fn plus(self, other: Self) -> Self {
         let both = |a: Self, b: Self| {
-            // of the weaker one to the stronger one, to the last place
+            // the weaker strength divided by the stronger one, to the last place
             let ratio = if a.dividend == S::ONE && b.dividend == S::ONE {
                 a.divisor.divide(b.divisor)
             } else if a.dividend == S::ONE {
@@ -162,12 +162,12 @@ impl<S: Scalar> Quotient<S> {
     }
 }
 
-/// How many directions the links between particles `ACROSS` columns and `DOWN` rows apart have.
+/// The number of directions of the links between particles `ACROSS` columns and `DOWN` rows apart.
 pub(crate) const fn directions<const ACROSS: usize, const DOWN: usize>() -> usize {
     if ACROSS > 0 && DOWN > 0 { 2 } else { 1 }
 }
 
-/// Refuses links that show more than their type says.
+/// Rejects links that show more directions or dampers than their types declare.
 #[track_caller]
 pub(crate) fn check<S: Scalar, L: Links<S>>(links: &L) {
     let (mut springs, mut dampers) = (Shown(0), Shown(0));
@@ -180,7 +180,7 @@ pub(crate) fn check<S: Scalar, L: Links<S>>(links: &L) {
     assert!(dampers.0 == 0 || L::Damping::ANY, "links show dampers, and `Damping` says `Undamped`");
 }
 
-/// The directions of all families shown.
+/// The number of directions of all families shown.
 struct Shown(usize);
 
 impl<S: Scalar> Visitor<S> for Shown {
@@ -197,7 +197,7 @@ impl<S: Scalar> Links<S> for () {
     fn fingerprint(&self, _print: &mut Fingerprint) {}
 }
 
-/// Links that are there or not, decided while the program runs.
+/// Optional links, chosen at run time.
 impl<S: Scalar, T: Links<S>> Links<S> for Option<T> {
     type Directions = T::Directions;
     type Damping = T::Damping;

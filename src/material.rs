@@ -1,6 +1,6 @@
-//! What a sheet is made of, and the springs that make a grid behave like it.
+//! Materials, and the springs that make a grid behave like them.
 //!
-//! A [`Material`] holds the constants of a thin sheet, which belong to the fabric and to no grid. [`Material::units`] and
+//! A [`Material`] contains the constants of a thin sheet. They belong to the fabric and are independent of any grid. [`Material::units`] and
 //! [`Material::springs`] turn them into the mass of a particle and the stiffness of the links of a grid:
 //!
 //! ```
@@ -25,38 +25,37 @@
 //!
 //! `½·C·(ε₁² + ε₂²) + C₁₂·ε₁·ε₂ + ½·G·γ²`.
 //!
-//! To each square cell of a large grid, of side a, belong one stretch and one bend spring in either direction and two diagonals. To first
-//! order a stretch spring is elongated by a·ε, a bend spring by 2·a·ε, and a diagonal by a·(ε₁ + ε₂ ± γ)/√2, which stores
+//! In a large grid each square cell of side a has one stretch and one bend spring in either direction, and two diagonals. To first order a stretch spring is
+//! elongated by a·ε, a bend spring by 2·a·ε, and a diagonal by a·(ε₁ + ε₂ ± γ)/√2. Together they store
 //!
 //! `½·(k_stretch + 4·k_bend)·(ε₁² + ε₂²) + ½·k_shear·((ε₁ + ε₂)² + γ²)`
 //!
-//! per area, whatever a is. Comparison gives `k_shear = G` and `k_stretch = C − G − 4·k_bend`; and C₁₂ is G: springs leave no choice there.
-//! Two things differ from the membrane. Links on the border have a cell on one side only and are twice as stiff as they should be, as a selvage
-//! is. And a cell of a × b would need other springs along a (b/a times as stiff) than along b: cells should be square.
+//! per area, for every a. Comparison gives `k_shear = G` and `k_stretch = C − G − 4·k_bend`; C₁₂ equals G, as springs leave no choice there. Two properties
+//! differ from the membrane. Links on the border have a cell on one side only and are twice as stiff as they should be, as a selvage is. And a cell of a × b
+//! would need springs b/a times as stiff along a as along b: cells should be square.
 //!
-//! # What a bend spring is
+//! # Bend springs
 //!
-//! A plate of rigidity B bent by the angle θ between neighbouring cells stores ½·B·θ² in each cell of the fold. A spring from a particle to the next but
-//! one is shortened by 2·a·(1 − cos ½θ) ≈ ¼·a·θ² and stores 1/32·k·a²·θ⁴: nothing to speak of while the sheet is nearly flat, and
-//! more than the plate when it is sharply folded. Both are equal at one angle, which is [`Material::springs`]' `fold`, where
+//! A plate of rigidity B bent by the angle θ between neighbouring cells stores ½·B·θ² in each cell of the fold. A bend spring connects a particle to the next
+//! but one. It is shortened by 2·a·(1 − cos ½θ) ≈ ¼·a·θ² and stores 1/32·k·a²·θ⁴. This is negligible while the sheet is nearly flat, and more than the plate's
+//! energy when it is sharply folded. The two energies are equal at one angle, the `fold` of [`Material::springs`], if
 //!
 //! `k_bend = 16·B/(a·θ)²`
 //!
-//! (to first order: the energy is 1 % too small at 0.5 rad, 4 % at 1 rad). Choose the angle of the folds that the sheet shows: a fold of radius
-//! R has θ = a/R.
+//! (to first order: the energy is 1 % too small at 0.5 rad, 4 % at 1 rad). Choose the angle of the folds that the sheet shows: a fold of radius R has θ = a/R.
 //!
 //! # The presets
 //!
-//! Eight fabrics that H. Wang, J. F. O'Brien and R. Ramamoorthi measured (*Data-driven elastic models for cloth: modeling and measurement*,
-//! 2011), each under its name in their database, which the simulator `ARCSim` carries: the area density, and to three digits the
-//! coefficients c₁₁, c₂₂ and c₃₃ of `stretching` for the sheet at rest (N/m) and k of `bending` across weft and warp for the flat sheet (N·m).
+//! Eight fabrics measured by H. Wang, J. F. O'Brien and R. Ramamoorthi (*Data-driven elastic models for cloth: modeling and measurement*, 2011). Each is listed
+//! with its name in their database, which the simulator `ARCSim` contains. The values are the area density, and to three digits the coefficients c₁₁, c₂₂ and
+//! c₃₃ of `stretching` for the sheet at rest (N/m) and k of `bending` across weft and warp for the flat sheet (N·m).
 //!
-//! They are read as `ARCSim` reads them. It doubles c and stores ½·2·(c₁₁·ε₁² + c₂₂·ε₂² + c₃₃·(½·γ)²) per area besides the term in ε₁·ε₂: C is
-//! 2·c₁₁ along the weft and 2·c₂₂ along the warp, here their mean, and G is ½·c₃₃. Its hinge of length l between two triangles of area A together stores
-//! k·l²/(2·A)·θ²/4, which makes ⅛·k·κ² per area at the curvature κ: B is ¼·k, here the mean of both directions.
+//! They are interpreted as in `ARCSim`, which doubles c and stores ½·2·(c₁₁·ε₁² + c₂₂·ε₂² + c₃₃·(½·γ)²) per area, besides the term in ε₁·ε₂. So C is 2·c₁₁
+//! along the weft and 2·c₂₂ along the warp, here their mean, and G is ½·c₃₃. In `ARCSim` a hinge of length l between two triangles of area A together stores
+//! k·l²/(2·A)·θ²/4, which is ⅛·k·κ² per area at the curvature κ. So B is ¼·k, here the mean of both directions.
 //!
-//! These are coefficients for small strains: fabrics stiffen when they are stretched, springs don't. The database has neither silk nor
-//! wool, and no damping.
+//! The coefficients are valid for small strains: fabrics stiffen when they are stretched, springs don't. The database contains neither silk nor wool, and no
+//! damping.
 
 use crate::units::Units;
 
@@ -65,14 +64,14 @@ use crate::units::Units;
 pub struct Material {
     /// Mass per area, kg/m².
     pub density: f64,
-    /// C, tension per strain in a strip whose width is held, N/m. Springs are alike along rows and columns, so it is the mean of both.
+    /// C, tension per strain in a strip of constrained width, N/m. Springs are equal along rows and columns, so it is the mean of both.
     pub stretch: f64,
     /// G, shear force per length and angle, N/m.
     pub shear: f64,
     /// B, moment per length and curvature, N·m.
     pub bend: f64,
-    /// The time τ of internal damping after W. Voigt, s: a damper τ·k stands beside a spring k. Zero in the presets. The dampers of
-    /// [`Damped`](crate::Damped) brake a link's turning as much as its stretching, which no fabric does: keep τ small.
+    /// The time constant τ of internal damping after W. Voigt, s: a damper τ·k is parallel to a spring k. Zero in the presets. The dampers of
+    /// [`Damped`](crate::Damped) slow a link's rotation as much as its stretching, which no fabric does: keep τ small.
     pub damping: f64,
 }
 
@@ -88,10 +87,9 @@ pub struct Springs {
 }
 
 impl Material {
-    /// The units of a sheet of this material, as [`Units::sheet`] with the mass of a cell as a particle's.
+    /// The units of a sheet of this material: [`Units::sheet`] with the mass of one cell as the mass of a particle.
     ///
-    /// [`Cloth::share_area`](crate::Cloth::share_area) gives the border its smaller share, so that the sheet weighs `density` times its
-    /// area.
+    /// [`Cloth::share_area`](crate::Cloth::share_area) gives particles on the border their smaller share, so that the sheet's mass is `density` times its area.
     ///
     /// # Panics
     /// As [`Units::sheet`].
@@ -102,13 +100,13 @@ impl Material {
         Units::sheet(particles, size, self.density * across * down, frame, substeps)
     }
 
-    /// The springs of a grid of square cells that behaves like this material, and like its bending rigidity in folds by the angle `fold` (rad)
-    /// between neighbouring cells.
+    /// The springs of a grid of square cells that behaves like this material. Its bending rigidity is matched in folds by the angle `fold` (rad) between
+    /// neighbouring cells.
     ///
-    /// In a scene without bend springs `fold` is infinite.
+    /// For a scene without bend springs pass an infinite `fold`.
     ///
     /// # Panics
-    /// At compile time in a constant: where the material leaves no stiffness for stretch springs, because `fold` is too flat an angle for so small a cell.
+    /// At compile time in a constant: if no stiffness is left for stretch springs, because `fold` is too flat an angle for so small a cell.
     #[track_caller]
     pub const fn springs(&self, units: &Units, fold: f64) -> Springs {
         let span = units.cell * fold;
@@ -121,12 +119,12 @@ impl Material {
         Springs { stretch, shear: self.shear, bend }
     }
 
-    /// The damper beside a spring of `stiffness` (N/m), N·s/m.
+    /// The damper (N·s/m) parallel to a spring of `stiffness` (N/m).
     pub const fn damper(&self, stiffness: f64) -> f64 {
         self.damping * stiffness
     }
 
-    /// From c₁₁, c₂₂, c₃₃ and k across weft and warp: see the module's "The presets".
+    /// From c₁₁, c₂₂, c₃₃ and k across weft and warp: see "The presets" in the module's documentation.
     const fn measured(density: f64, [c11, c22, c33]: [f64; 3], [weft, warp]: [f64; 2]) -> Self {
         Self { density, stretch: c11 + c22, shear: c33 / 2.0, bend: (weft + warp) / 8.0, damping: 0.0 }
     }
@@ -175,7 +173,7 @@ mod tests {
         )
     }
 
-    /// The energy of a square sheet with `N` particles a side under a small strain, J.
+    /// The energy of a square sheet of `N` × `N` particles under a small strain, J.
     fn strained<const N: usize>(material: Material, fold: f64, across: f64, down: f64, shear: f64) -> f64 {
         let units = units([N, N]);
         let mut cloth = Cloth::<f64, N, N>::lay(&units, units.point([0.0; 3]));
@@ -196,7 +194,7 @@ mod tests {
                     strained::<7>(material, fold, across, down, shear),
                     strained::<8>(material, fold, across, down, shear),
                 ];
-                // a sheet of n² cells stores n²·inside + n·border + corners: the second difference is twice what a cell inside stores
+                // a sheet of n² cells stores n²·inside + n·border + corners: the second difference is twice the energy of an inner cell
                 let inside = 0.5 * (energy[0] - 2.0 * energy[1] + energy[2]);
                 let Material { stretch, shear: modulus, .. } = material;
                 let expected = 0.5 * stretch * (across * across + down * down)
@@ -222,12 +220,12 @@ mod tests {
     fn bend_springs_store_the_energy_of_the_plate_at_their_angle_only() {
         for fold in [0.3, 0.5, 1.0] {
             let bend = |units: &Units| links(units, DENIM.springs(units, fold)).2;
-            // a fold of one cell's width for each of the 4 rows
+            // a fold of one cell's width in each of the 4 rows
             let plate = |angle: f64| 4.0 * 0.5 * DENIM.bend * angle * angle;
             let at_fold = folded(bend, fold) / plate(fold);
             let expected = 1.0 - fold * fold / 24.0;
             assert!((at_fold - expected).abs() < 0.002, "{fold}: {at_fold}");
-            // a quarter of it at half the angle
+            // at half the angle a quarter of the plate's energy
             let flatter = folded(bend, fold / 2.0) / plate(fold / 2.0);
             assert!((flatter - 0.25).abs() < 0.01, "{fold}: {flatter}");
         }
@@ -242,8 +240,8 @@ mod tests {
         assert!((mass - 0.324 * 0.06).abs() < 1e-15, "{mass}");
     }
 
-    /// A particle at a spring k and its damper swings as exp(−δ·t)·cos(ω·t), with 2·δ = τ·k/m and ω² = k/m − δ² but for a phase: it is at rest again
-    /// after a period.
+    /// A particle on a spring k with its damper oscillates as exp(−δ·t)·cos(ω·t) up to a phase, with 2·δ = τ·k/m and ω² = k/m − δ². After one period its
+    /// velocity is zero again.
     #[test]
     fn dampers_slow_an_oscillation_as_voigts_element_does() {
         let (stiffness, mass) = (10.0, 1e-3);

@@ -1,9 +1,9 @@
-//! A moment within a frame.
+//! A substep's position within a frame.
 
 use crate::scalar::{Rounding, Scalar};
 use crate::vec3::Vec3;
 
-/// Which substep of a frame a solver is in, and how displacements and velocities belong together there.
+/// The current substep of a frame, and the relation between displacement and velocity in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Moment {
     /// The substep, counted from 1.
@@ -12,7 +12,7 @@ pub struct Moment {
     pub substeps: u32,
     /// The logarithm to base 2 of the substeps in a tick.
     pub shift: u32,
-    /// Twice the velocity, in units of displacement per substep, that belongs to a displacement: 2 for one-step methods, 3 for BDF2.
+    /// Twice the velocity, in units of displacement per substep, that corresponds to a displacement: 2 for one-step methods, 3 for BDF2.
     pub halves: u32,
 }
 
@@ -23,23 +23,24 @@ impl Moment {
         S::ONE.halve(self.shift).times(self.substep as i32)
     }
 
-    /// How corrections are rounded in this substep.
+    /// The rounding of corrections in this substep.
     #[inline]
     pub const fn rounding(self) -> Rounding {
         Rounding::of_turn(self.substep - 1, self.substeps, self.shift)
     }
 
-    /// The velocity that belongs to a displacement within the substep.
+    /// The velocity that corresponds to a displacement within the substep.
     #[inline]
     pub fn velocity<S: Scalar>(self, displacement: Vec3<S>) -> Vec3<S> {
         match self.halves {
-            // the same number, by a shift alone
+            // the same result by a shift alone
             2 => displacement.double(self.shift),
             halves => displacement.map(|component| component.rate(halves, self.shift)),
         }
     }
 
-    /// What a velocity has of a position in fixed point, along an axis: of two positions it differs by the velocity that belongs to their difference. It wraps.
+    /// The part of a velocity that corresponds to a position, along an axis in fixed point. The parts of two positions differ by the velocity that corresponds
+    /// to their difference. It wraps.
     #[inline]
     pub(crate) fn share<S: Scalar>(self, position: S) -> S {
         let whole = position.double(self.shift);
@@ -50,7 +51,7 @@ impl Moment {
         }
     }
 
-    /// The displacement in the substep with a velocity.
+    /// The displacement at a given velocity during the substep.
     #[inline]
     pub fn displacement<S: Scalar>(self, velocity: Vec3<S>) -> Vec3<S> {
         velocity.halve(self.shift)

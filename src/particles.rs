@@ -1,4 +1,4 @@
-//! What forces, links, colliders and solvers act on.
+//! The particles that forces, links, colliders and solvers act on.
 
 use crate::fingerprint::Fingerprint;
 use crate::grid::{Grid, Node};
@@ -7,31 +7,31 @@ use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-/// The particles of a sheet of `W` columns and `H` rows: all that changes while it moves.
+/// The particles of a sheet of `W` columns and `H` rows: the part of its state that changes while it moves.
 ///
-/// A [`Cloth`](crate::Cloth) is these particles: what takes `&Particles` or `&mut Particles` is given `&cloth` or `&mut cloth`.
+/// A [`Cloth`](crate::Cloth) dereferences to them: pass `&cloth` or `&mut cloth` where `&Particles` or `&mut Particles` is expected.
 ///
-/// The units are those of [`Units`](crate::Units): positions in cells, velocities in cells per tick, masses in ordinary particles.
+/// The units are those of [`Units`](crate::Units): positions in cells, velocities in cells per tick, masses in [`Units::mass`](crate::Units::mass).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particles<S, const W: usize, const H: usize> {
-    /// Where the particles are, cells.
+    /// Positions, cells.
     pub position: Vectors<S, W, H>,
-    /// How fast they move, cells per tick.
+    /// Velocities, cells per tick.
     pub velocity: Vectors<S, W, H>,
-    /// One over a particle's mass in ordinary particles: 1 for most, ½ for one twice as heavy, 0 for a pin.
+    /// Inverse masses, in 1/[`Units::mass`](crate::Units::mass): 1 for most particles, ½ for one twice as heavy, 0 for a pin.
     pub inverse_mass: Grid<S, W, H>,
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Particles<S, W, H> {
-    /// Nothing but zeros.
+    /// All zeros.
     pub const BLANK: Self = Self {
         position: Vectors::filled(Vec3::ZERO),
         velocity: Vectors::filled(Vec3::ZERO),
         inverse_mass: Grid::filled(S::ZERO),
     };
 
-    /// Moves a particle within a substep: its velocity takes part, so that it stays the sum of what moved the particle. (The difference
-    /// of two positions would lose its digits.)
+    /// Moves a particle within a substep and adds the corresponding velocity, so that the velocity remains the sum of all displacements. (The difference of two
+    /// positions would lose digits.)
     #[inline]
     pub fn displace(&mut self, node: Node, by: Vec3<S>, moment: Moment) {
         self.position.add(node, by);
@@ -43,7 +43,7 @@ impl<S: Scalar, const W: usize, const H: usize> Particles<S, W, H> {
         self.inverse_mass[node] == S::ZERO
     }
 
-    /// Takes every particle in.
+    /// Adds every particle to a fingerprint.
     pub(crate) fn fingerprint(&self, print: &mut Fingerprint) {
         for node in Grid::<S, W, H>::nodes() {
             print.vector(self.position.at(node));
@@ -79,7 +79,7 @@ mod tests {
         print
     }
 
-    /// The numbers of a particle.
+    /// The seven numbers of a particle.
     fn numbers<S: Scalar>(particles: &mut Particles<S, W, H>, node: Node) -> [&mut S; 7] {
         let Node { column, row } = node;
         let (x, v) = (&mut particles.position.0[row], &mut particles.velocity.0[row]);
@@ -99,7 +99,7 @@ mod tests {
                 let mut changed = same;
                 *numbers(&mut changed, node)[k] += least;
                 assert!(shows(&changed), "number {k} of {node:?} in {}", S::NAME);
-                // two neighbours drawn together; two numbers of a particle that change against each other
+                // two neighbours moved towards each other; two numbers of one particle changed in opposite directions
                 let (mut pinched, mut turned) = (changed, changed);
                 *numbers(&mut pinched, next)[k] -= least;
                 *numbers(&mut turned, node)[(k + 3) % 7] -= least;

@@ -1,4 +1,4 @@
-//! The description of what happens to a sheet, and the step.
+//! The description of a simulation, and its step.
 
 use core::marker::PhantomData;
 
@@ -15,26 +15,26 @@ use crate::vec3::Vec3;
 
 /// Forces, links, colliders and the solver that moves sheets among them.
 ///
-/// A scene is configuration, and one scene moves many sheets; what changes with a sheet is in its [`Cloth`] and in the solver's memory. Slots
-/// that a scene doesn't need are `()` and cost nothing.
+/// A scene is configuration, and one scene moves many sheets. The state of each sheet is in its [`Cloth`] and in the solver's memory. Slots that a scene
+/// doesn't need are `()` and cost nothing.
 ///
-/// `G` says which sheets it is for: [those of one kind](Only) if a [`Sheet`](crate::Sheet) made it.
+/// `G` says which sheets the scene accepts: [sheets of one size and number type](Only) if a [`Sheet`](crate::Sheet) made it.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<F, L, C, V, G = Any> {
-    /// What pulls from outside.
+    /// External forces.
     pub forces: F,
-    /// What holds particles together.
+    /// Links between particles.
     pub links: L,
-    /// What is in the way.
+    /// Obstacles.
     pub colliders: C,
-    /// How the sheet is moved.
+    /// The method that moves the sheet.
     pub solver: V,
     substeps: u32,
     shift: u32,
     sheets: PhantomData<G>,
 }
 
-/// The sheets that a scene is for.
+/// The sheets that a scene accepts.
 pub trait Kind<S, const W: usize, const H: usize> {}
 
 /// Sheets of any size, in the number type of the scene's parts.
@@ -52,7 +52,7 @@ impl<F, L, C, V> Scene<F, L, C, V> {
     /// A scene in these units.
     ///
     /// # Panics
-    /// At compile time in a constant: for units that were put together by hand, of no substeps or more than 2²⁴.
+    /// At compile time in a constant: for units put together by hand that have no substeps, or more than 2²⁴.
     #[track_caller]
     pub const fn new(units: &Units, forces: F, links: L, colliders: C, solver: V) -> Self {
         Self::of(units, forces, links, colliders, solver)
@@ -70,7 +70,7 @@ impl<F, L, C, V, G> Scene<F, L, C, V, G> {
     /// The solver's memory for a sheet at the start of its motion.
     ///
     /// # Panics
-    /// For a solver that makes no sense, as one of no sweeps, and for links of one's own that show more than their type says.
+    /// If the solver's parameters are invalid (such as zero sweeps), or if links of your own show more directions or dampers than their types declare.
     #[track_caller]
     pub fn memory<S: Scalar, const W: usize, const H: usize>(&self) -> V::Memory<L, W, H>
     where
@@ -82,7 +82,7 @@ impl<F, L, C, V, G> Scene<F, L, C, V, G> {
         self.solver.memory()
     }
 
-    /// Moves `cloth` by one frame among colliders that stay where they are. Cannot fail.
+    /// Moves `cloth` by one frame among colliders that stay in place. Cannot fail.
     pub fn step<S, const W: usize, const H: usize>(&self, cloth: &mut Cloth<S, W, H>, memory: &mut V::Memory<L, W, H>)
     where
         S: Scalar,
@@ -95,7 +95,7 @@ impl<F, L, C, V, G> Scene<F, L, C, V, G> {
         self.step_one(cloth, memory);
     }
 
-    /// Moves `cloth` by one frame, and the colliders on to its end. Cannot fail.
+    /// Moves `cloth` by one frame, then moves the colliders to the end of that frame. Cannot fail.
     pub fn play<S, const W: usize, const H: usize>(
         &mut self,
         cloth: &mut Cloth<S, W, H>,
@@ -112,7 +112,7 @@ impl<F, L, C, V, G> Scene<F, L, C, V, G> {
         self.advance();
     }
 
-    /// Moves one of several sheets by a frame. After the last of them the colliders [advance](Self::advance).
+    /// Moves one of several sheets by one frame. Call [`advance`](Self::advance) after the last of them.
     pub fn step_one<S, const W: usize, const H: usize>(
         &self,
         cloth: &mut Cloth<S, W, H>,
@@ -129,7 +129,7 @@ impl<F, L, C, V, G> Scene<F, L, C, V, G> {
         solver.frame(Physics { forces, links, colliders }, cloth, memory, self.end());
     }
 
-    /// Moves the colliders on to the end of a frame, once all sheets have made their [step](Self::step_one).
+    /// Moves the colliders to the end of a frame. Call it once all sheets have made their [step](Self::step_one).
     pub fn advance<S: Scalar>(&mut self)
     where
         C: Collider<S>,
@@ -137,8 +137,8 @@ impl<F, L, C, V, G> Scene<F, L, C, V, G> {
         self.colliders.advance(self.end());
     }
 
-    /// Lets a pin travel to `target` in the next frame. It goes on at the same speed until it is told otherwise: call this for every frame in
-    /// which the pin moves, and once more with the same target to stop it there.
+    /// Moves a pin to `target` during the next frame. The pin keeps this velocity afterwards: call this for every frame in which the pin moves, and once more
+    /// with the same target to stop it.
     pub fn move_pin<S: Scalar, const W: usize, const H: usize>(
         &self,
         cloth: &mut Cloth<S, W, H>,

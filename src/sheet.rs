@@ -1,4 +1,4 @@
-//! One way in: a sheet's size, number type and units, said once.
+//! The usual entry point: a sheet's size, number type and units in one constant.
 //!
 //! ```
 //! use kerchief::*;
@@ -16,7 +16,7 @@
 //! scene.step(&mut cloth, &mut memory);
 //! ```
 //!
-//! Everything that a [`Sheet`] makes is for sheets of its size and its number type: a scene does not step any other one.
+//! Everything made by a [`Sheet`] is for sheets of its size and number type: its scenes step no other sheet.
 
 use core::marker::PhantomData;
 
@@ -33,15 +33,15 @@ use crate::self_contact::{SelfContact, Thickness};
 use crate::units::Units;
 use crate::vec3::Vec3;
 
-/// The size, number type and units of a sheet of `W` × `H` particles, and all that is made in them.
+/// The size, number type and units of a sheet of `W` × `H` particles, with constructors for its parts.
 #[derive(Debug)]
 pub struct Sheet<S, const W: usize, const H: usize> {
-    /// Its cells, ticks and masses.
+    /// Cells, ticks and masses.
     pub units: Units,
     number: PhantomData<fn() -> S>,
 }
 
-// not derived: the number type is copied nowhere
+// not derived: a derive would require `S: Copy`, and no number is stored
 impl<S, const W: usize, const H: usize> Copy for Sheet<S, W, H> {}
 
 impl<S, const W: usize, const H: usize> Clone for Sheet<S, W, H> {
@@ -54,16 +54,16 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
     /// A sheet of `[width, height]` (m) whose particles have `mass` (kg) each. It moves in frames of `frame` (s), divided into `substeps`.
     ///
     /// # Panics
-    /// At compile time in a constant: as [`Units::sheet`].
+    /// At compile time in a constant, like [`Units::sheet`].
     #[track_caller]
     pub const fn new(size: [f64; 2], mass: f64, frame: f64, substeps: u32) -> Self {
         Self { units: Units::sheet([W, H], size, mass, frame, substeps), number: PhantomData }
     }
 
-    /// A sheet of a material: a particle has the mass of a cell.
+    /// A sheet of a material. A particle has the mass of one cell.
     ///
     /// # Panics
-    /// At compile time in a constant: as [`Units::sheet`].
+    /// At compile time in a constant, like [`Units::sheet`].
     #[track_caller]
     pub const fn of(material: &Material, size: [f64; 2], frame: f64, substeps: u32) -> Self {
         Self { units: material.units([W, H], size, frame, substeps), number: PhantomData }
@@ -89,59 +89,59 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
         Cloth::lay(&self.units, self.units.point(origin))
     }
 
-    /// Weight, m/s².
+    /// Gravity, m/s².
     ///
     /// # Panics
-    /// As every method below, where the number type does not represent what is asked for: see [`units`](crate::units).
+    /// Like every method below, if the number type does not represent the value: see [`units`](crate::units).
     #[track_caller]
     #[inline]
     pub fn gravity(&self, acceleration: [f64; 3]) -> Gravity<S> {
         Gravity::new(self.units.acceleration(acceleration))
     }
 
-    /// Drag −m·γ·v of a rate γ (1/s).
+    /// Drag −m·γ·v with the rate γ (1/s).
     #[track_caller]
     #[inline]
     pub fn drag(&self, per_second: f64) -> Drag<S> {
         Drag::new(self.units.drag(per_second))
     }
 
-    /// Wind of the facet model: its velocity, m/s.
+    /// Wind of the facet model, by its velocity (m/s).
     #[track_caller]
     #[inline]
     pub fn facet_wind(&self, velocity: [f64; 3]) -> FacetWind<S> {
         FacetWind::new(self.units.facet_wind(velocity))
     }
 
-    /// Wind of the aerodynamic model: its velocity (m/s), the air's density (kg/m³), the drag coefficient of a plate across the flow.
+    /// Wind of the aerodynamic model, by its velocity (m/s), the air's density (kg/m³) and the drag coefficient of a plate across the flow.
     #[track_caller]
     #[inline]
     pub fn aerodynamic_wind(&self, velocity: [f64; 3], density: f64, drag_coefficient: f64) -> AerodynamicWind<S> {
         AerodynamicWind::new(self.units.aerodynamic_wind(velocity, density, drag_coefficient))
     }
 
-    /// Wind on cells, the cheapest on a board: its velocity (m/s), the air's density (kg/m³), the drag coefficient of a plate across the flow.
+    /// Wind on cells, the cheapest on a board, by its velocity (m/s), the air's density (kg/m³) and the drag coefficient of a plate across the flow.
     #[track_caller]
     #[inline]
     pub fn panel_wind(&self, velocity: [f64; 3], density: f64, drag_coefficient: f64) -> PanelWind<S> {
         PanelWind::new(self.units.panel_wind(velocity, density, drag_coefficient))
     }
 
-    /// Springs along rows and columns, N/m.
+    /// Springs along rows and columns, by their stiffness (N/m).
     #[track_caller]
     #[inline]
     pub fn stretch(&self, stiffness: f64) -> Stretch<S> {
         Stretch::new(&self.units, self.units.stiffness(stiffness))
     }
 
-    /// Springs along the diagonals of cells, N/m.
+    /// Springs along the diagonals of cells, by their stiffness (N/m).
     #[track_caller]
     #[inline]
     pub fn shear(&self, stiffness: f64) -> Shear<S> {
         Shear::new(&self.units, self.units.stiffness(stiffness))
     }
 
-    /// Springs along rows and columns between every other particle, N/m.
+    /// Springs along rows and columns between a particle and the next but one, by their stiffness (N/m).
     #[track_caller]
     #[inline]
     pub fn bend(&self, stiffness: f64) -> Bend<S> {
@@ -156,14 +156,14 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
         (self.stretch(springs.stretch), self.shear(springs.shear), self.bend(springs.bend))
     }
 
-    /// `links` with a damper beside each spring, N·s/m.
+    /// `links` with a damper (N·s/m) parallel to each spring.
     #[track_caller]
     #[inline]
     pub fn damped<L>(&self, links: L, damping: f64) -> Damped<L, S> {
         Damped::new(links, self.units.damping(damping))
     }
 
-    /// A hand that holds nothing: its compliance (m/N), its damping (N·s/m), and the distance (m) from which on it pulls no more.
+    /// An empty hand, by its compliance (m/N), its damping (N·s/m) and the distance to the target (m) at which its force stops growing.
     #[track_caller]
     #[inline]
     pub fn hand(&self, compliance: f64, damping: f64, reach: f64) -> Hand<S> {
@@ -171,7 +171,7 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
         Hand::new(&self.units, spring, damper, self.units.length(reach))
     }
 
-    /// A ball at rest without friction: its centre, its radius, and the `margin` at which particles keep from its surface, m.
+    /// A ball at rest without friction, by its centre, its radius and the `margin` between its surface and particles, m.
     #[track_caller]
     #[inline]
     pub fn ball(&self, centre: [f64; 3], radius: f64, margin: f64) -> Sphere<S> {
@@ -185,14 +185,14 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
         self.ball(centre, radius, margin).with_velocity(self.units.velocity(velocity))
     }
 
-    /// The half space below a plane through `point` (m), whose normal has any length; particles keep at `margin` (m) from it.
+    /// The half-space below a plane through `point` (m), with a normal of any length; particles keep `margin` (m) away from it.
     #[track_caller]
     #[inline]
     pub fn plane(&self, point: [f64; 3], normal: [f64; 3], margin: f64) -> Plane<S> {
         Plane::new(self.units.point(point), Vec3::from_f64(normal), self.units.length(margin))
     }
 
-    /// A rod with round ends between `a` and `b`: its radius, and the `margin` at which particles keep from its surface, m.
+    /// A rod with round ends between `a` and `b`, by its radius and the `margin` between its surface and particles, m.
     #[track_caller]
     #[inline]
     pub fn rod(&self, a: [f64; 3], b: [f64; 3], radius: f64, margin: f64) -> Capsule<S> {
@@ -200,17 +200,17 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
         Capsule::new(a, b, self.units.length(radius), self.units.length(margin))
     }
 
-    /// A place (m) in the sheet's numbers, as for a hand's target.
+    /// A position (m) in the sheet's units and numbers, for example a hand's target.
     ///
     /// # Panics
-    /// For what is not finite.
+    /// If a component is not finite.
     #[track_caller]
     #[inline]
     pub fn place(&self, metres: [f64; 3]) -> Vec3<S> {
         self.units.point(metres).to_vec()
     }
 
-    /// Where a place in the sheet's numbers is, m.
+    /// A position in the sheet's units, in m.
     #[inline]
     pub fn metres(&self, place: Vec3<S>) -> [f64; 3] {
         self.units.metres(place)
@@ -219,14 +219,14 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
     /// Tethers to up to `N` pins, each `1 + slack` times as long as the distance at rest.
     ///
     /// # Errors
-    /// Gives back the anchors if there are more than `N`.
+    /// Returns the anchors if there are more than `N`.
     #[track_caller]
     #[inline]
     pub fn tether<'a, const N: usize>(&self, anchors: &'a [Node], slack: f64) -> Result<Tether<S, N>, &'a [Node]> {
         Tether::new(&self.units, anchors, slack)
     }
 
-    /// `solver` for a sheet that meets itself: its thickness (m), and its coefficient of friction on itself.
+    /// `solver` with contact of the sheet with itself, by the sheet's thickness (m) and its coefficient of friction on itself.
     ///
     /// # Panics
     /// For a thickness that is not between 0.75 and 1 times the longer side of a cell.
@@ -236,14 +236,14 @@ impl<S: Scalar, const W: usize, const H: usize> Sheet<S, W, H> {
         SelfContact::new(Thickness::new(&self.units, thickness), friction, solver)
     }
 
-    /// `solver`, which rests where a sheet is as still as that.
+    /// `solver`, which stops computing while a sheet is as still as `stillness`.
     #[track_caller]
     #[inline]
     pub fn resting<V>(&self, stillness: Stillness, solver: V) -> Resting<V> {
         Resting::new(&self.units, stillness, solver)
     }
 
-    /// What happens to sheets of this kind: `()` is nothing, and a tuple is all of its members.
+    /// A scene for sheets of this kind. `()` is an empty slot; a tuple combines its members.
     #[inline]
     pub const fn scene<F, L, C, V>(
         &self,

@@ -1,14 +1,13 @@
-//! The sheet's own units, and the way into them from SI.
+//! The sheet's own units, and their conversion from and to SI.
 //!
-//! The core counts lengths in cells, times in ticks and masses in particles, so that every number it meets is near one. A tick is a
-//! power of two of substeps, about one frame: a drift `x += v·h` is then a shift, and velocities keep their bits however small
-//! the substep is.
+//! The core measures lengths in cells, times in ticks and masses in particles, so that the numbers it computes with are near one. A tick is a power of two of
+//! substeps, about one frame. A drift `x += v·h` is then a shift, and velocities keep their bits for any substep length.
 //!
-//! Every method of [`Units`] is a `const fn`: firmware evaluates it when it is compiled and links no float routine.
+//! Every method of [`Units`] that converts from SI is a `const fn`: firmware evaluates it at compile time and links no float routine.
 //!
-//! What makes no sense is refused here, so that a step needs not look: a size that is not positive, a number that is not finite, a negative stiffness. It is an
-//! error of the compiler in a constant, and a panic elsewhere. What a number type does not represent to within a sixteenth is refused where it gets its type, as by
-//! [`Gravity::new`](crate::Gravity::new), or in a constant by `fits`:
+//! Invalid values are rejected here, so that a step needs no check: a size that is not positive, a number that is not finite, a negative stiffness. The
+//! rejection is a compiler error in a constant and a panic elsewhere. A value that a number type does not represent to within a sixteenth is rejected where it
+//! gets its type, as by [`Gravity::new`](crate::Gravity::new), or in a constant by `fits`:
 //!
 //! ```
 //! use kerchief::units::Acceleration;
@@ -30,21 +29,21 @@ use crate::scalar::Scalar;
 use crate::scalar::fit::{Fit, fit, is_finite, is_in_range, is_not_negative, is_positive};
 use crate::vec3::Vec3;
 
-/// The most substeps in a frame: of 2²⁴, one is the last place of a tick in fixed point and in `f32`.
+/// Limit on the substeps of a frame. With 2²⁴ of them one substep is the last place of a tick, in fixed point and in `f32`.
 const MOST_SUBSTEPS: u32 = 1 << 24;
 
-/// The part of the wind's speed across a triangle that the facet model gives a corner of mass 1 in a substep at most. Half as much would weaken wind in light
-/// sheets that are moved once a frame.
+/// Limit of the facet model: the largest part of the wind's speed normal to a triangle that a corner of mass 1 gains in a substep. Half this value would weaken
+/// wind in light sheets that are moved once a frame.
 const MOST_OF_WIND: f64 = 1.0 / 3.0;
 
-/// How long a cell, a tick and a particle's mass are, and how a frame divides into substeps.
+/// The length of a cell, of a tick and the mass of a particle, and the division of a frame into substeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units {
     /// The longer side of a cell, m.
     pub cell: f64,
     /// The sides of a cell along a row and along a column, in cells: one of them is 1.
     pub sides: [f64; 2],
-    /// The mass of an ordinary particle, kg.
+    /// The unit of mass: the mass of a particle whose inverse mass is 1, kg.
     pub mass: f64,
     /// A frame, s.
     pub frame: f64,
@@ -60,18 +59,18 @@ pub struct Point(pub [f64; 3]);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Length(pub f64);
 
-/// A velocity, cells per tick: only [`Units::velocity`] makes one, so that metres a second are not taken for it.
+/// A velocity, cells per tick. Only [`Units::velocity`] makes one, so that metres per second are not mistaken for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Velocity(pub [f64; 3]);
 
-/// The velocity that an acceleration adds in a substep, cells per tick: only [`Units::acceleration`] makes one.
+/// The velocity change by an acceleration in a substep, cells per tick. Only [`Units::acceleration`] makes one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Acceleration(pub [f64; 3]);
 
-/// A spring's stiffness κ, or a damper's strength, against the inertia of a particle in one substep, as the quotient `dividend /
-/// divisor` of two numbers between 0 and 1: any material fits any number type.
+/// A spring's stiffness κ, or a damper's strength, relative to the inertia of a particle in one substep. It is stored as the quotient `dividend / divisor` of
+/// two numbers between 0 and 1: so any material fits any number type.
 ///
 /// κ = k·h²/m for a stiffness k, κ = d·h/m for a damping d.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +81,7 @@ pub struct Strength {
     pub divisor: f64,
 }
 
-/// What drag leaves of a velocity in a substep.
+/// The effect of drag γ on a velocity in a substep h.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DragRate {
     /// γ·h
@@ -96,30 +95,30 @@ pub struct DragRate {
 /// A wind's velocity and the strength of its pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Airflow {
-    /// For the facet model the velocity gain per cell², for the aerodynamic model the velocity in cells per tick.
+    /// For the facet model the velocity change per cell², for the aerodynamic model the velocity in cells per tick.
     pub wind: [f64; 3],
     /// The aerodynamic model's factor; unused by the facet model.
     pub pressure: f64,
-    /// The facet model's bound on |n|, cells²: see [`FacetWind::widest`](crate::FacetWind::widest). Unused by the aerodynamic model.
+    /// The facet model's limit on |n|, cells²: see [`FacetWind::widest`](crate::FacetWind::widest). Unused by the aerodynamic model.
     pub widest: f64,
 }
 
-/// A wind's velocity, the strength of its pressure on panels, and their area at rest.
+/// A wind's velocity, the strength of its pressure on panels, and a panel's area at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PanelFlow {
     /// The velocity of the air, cells per tick.
     pub wind: [f64; 3],
-    /// The velocity that each corner of a panel of 1 cell² gains in a substep from air that moves against it at one cell per tick.
+    /// The velocity that each corner of a panel of 1 cell² gains in a substep if the panel moves against the air at one cell per tick.
     pub pressure: f64,
     /// The area of a panel at rest, cells².
     pub area: f64,
 }
 
 impl Units {
-    /// The units of a sheet of `[columns, rows]` particles, `[width, height]` in m, whose ordinary particle has `mass` (kg), that
-    /// moves in frames of `frame` seconds divided into `substeps`.
+    /// The units of a sheet of `[columns, rows]` particles and `[width, height]` (m). A particle of inverse mass 1 has `mass` (kg). The sheet moves in frames
+    /// of `frame` seconds, divided into `substeps`.
     ///
-    /// A side without a second particle has no length: its size is ignored.
+    /// The size along a side with a single particle is ignored.
     ///
     /// # Panics
     /// At compile time in a constant: for a sheet whose size, mass or frame is not positive and finite, and for no substeps or more than 2²⁴.
@@ -136,7 +135,7 @@ impl Units {
         units
     }
 
-    /// Refuses numbers of substeps that no solver can count, in units that were put together by hand.
+    /// Rejects units put together by hand whose number of substeps no solver can count.
     #[track_caller]
     pub(crate) const fn check_substeps(&self) {
         assert!(self.substeps > 0, "a frame needs a positive length and one substep at least");
@@ -148,7 +147,7 @@ impl Units {
         self.frame / self.substeps as f64
     }
 
-    /// The logarithm to base 2 of the substeps in a tick: the least whole number whose power covers a frame.
+    /// The logarithm to base 2 of the substeps in a tick: the smallest power of two that covers a frame.
     pub const fn shift(&self) -> u32 {
         self.substeps.next_power_of_two().trailing_zeros()
     }
@@ -161,26 +160,26 @@ impl Units {
     /// A length in m.
     ///
     /// # Panics
-    /// At compile time in a constant, as all methods below: for what is not finite.
+    /// At compile time in a constant, as all methods below: for values that are not finite.
     #[track_caller]
     pub const fn length(&self, metres: f64) -> Length {
         check([metres]);
         Length(metres / self.cell)
     }
 
-    /// A place in m.
+    /// A position in m.
     #[track_caller]
     pub const fn point(&self, metres: [f64; 3]) -> Point {
         check(metres);
         self.place(metres)
     }
 
-    /// The same for places that may be anything, as of a sheet that has exploded.
+    /// [`point`](Self::point) without its check: an exploded sheet has positions that are not finite.
     pub(crate) const fn place(&self, metres: [f64; 3]) -> Point {
         Point(scaled(metres, 1.0 / self.cell))
     }
 
-    /// The same for such velocities.
+    /// [`velocity`](Self::velocity) without its check, for the same reason.
     pub(crate) const fn motion(&self, metres_per_second: [f64; 3]) -> Velocity {
         Velocity(scaled(metres_per_second, self.tick() / self.cell))
     }
@@ -192,7 +191,7 @@ impl Units {
         self.motion(metres_per_second)
     }
 
-    /// A place (cells) in m: the way back from [`point`](Self::point). Not a number where the place is none.
+    /// A position (cells) in m: the inverse of [`point`](Self::point). Undefined components stay undefined.
     ///
     /// ```
     /// use kerchief::{Cloth, Node, Q24, Units};
@@ -206,7 +205,7 @@ impl Units {
         scaled(place.to_f64(), self.cell)
     }
 
-    /// A velocity (cells per tick) in m/s: the way back from [`velocity`](Self::velocity).
+    /// A velocity (cells per tick) in m/s: the inverse of [`velocity`](Self::velocity).
     pub fn metres_per_second<S: Scalar>(&self, velocity: Vec3<S>) -> [f64; 3] {
         scaled(velocity.to_f64(), self.cell / self.tick())
     }
@@ -260,13 +259,12 @@ impl Units {
         assert!(is_finite(per_second) && is_not_negative(per_second), "a drag is finite, zero or above");
         let rate = per_second * self.substep();
         let decay = exp_minus(rate);
-        // where the quotient loses its digits, its series has them all
+        // where the quotient loses digits by cancellation, its series does not
         let gain = if rate < 1e-4 { 1.0 - rate / 2.0 + rate * rate / 6.0 } else { (1.0 - decay) / rate };
         DragRate { rate, decay, gain }
     }
 
-    /// The drag that multiplies the displacement of a frame by `1 − fraction`, `0 ≤ fraction < 1`: position Verlet's damping
-    /// factor.
+    /// The drag that multiplies the displacement of a frame by `1 − fraction`, `0 ≤ fraction < 1`: the damping factor of position Verlet.
     ///
     /// # Panics
     /// At compile time in a constant: for any other fraction.
@@ -281,15 +279,15 @@ impl Units {
     pub const fn facet_wind(&self, metres_per_second: [f64; 3]) -> Airflow {
         check(metres_per_second);
         let gain = self.cell * self.substep() * self.tick() / self.mass;
-        // a triangle of |n| = 1 gives a corner so much of the wind's speed across it
+        // the part of the wind's normal speed that a corner gains from a triangle of |n| = 1
         let part = self.cell * self.cell * self.substep() / self.mass;
         Airflow { wind: scaled(metres_per_second, gain), pressure: 0.0, widest: MOST_OF_WIND / part }
     }
 
-    /// Wind of the aerodynamic model: velocity in m/s, the air's density in kg/m³, the drag coefficient of a plate across the flow.
+    /// Wind of the aerodynamic model: its velocity in m/s, the air's density in kg/m³, the drag coefficient of a plate across the flow.
     ///
     /// # Panics
-    /// At compile time in a constant: for what is not finite, and if density or coefficient is negative.
+    /// At compile time in a constant: for values that are not finite, and if density or coefficient is negative.
     #[track_caller]
     pub const fn aerodynamic_wind(&self, metres_per_second: [f64; 3], density: f64, drag_coefficient: f64) -> Airflow {
         check([density, drag_coefficient]);
@@ -302,20 +300,20 @@ impl Units {
         Airflow { wind, pressure, widest: 0.0 }
     }
 
-    /// Wind on panels: velocity in m/s, the air's density in kg/m³, the drag coefficient of a plate across the flow.
+    /// Wind on panels: its velocity in m/s, the air's density in kg/m³, the drag coefficient of a plate across the flow.
     ///
     /// # Panics
-    /// At compile time in a constant: for what is not finite, and if density or coefficient is negative.
+    /// At compile time in a constant: for values that are not finite, and if density or coefficient is negative.
     #[track_caller]
     pub const fn panel_wind(&self, metres_per_second: [f64; 3], density: f64, drag_coefficient: f64) -> PanelFlow {
         let Airflow { wind, pressure, .. } = self.aerodynamic_wind(metres_per_second, density, drag_coefficient);
-        // a cell's area is |n|, twice that of a triangle, of which each corner has a quarter instead of a third
+        // a cell's area is |n|, twice that of a triangle; each of its corners has a quarter of the force instead of a third
         let area = self.sides[0] * self.sides[1];
         PanelFlow { wind, pressure: 1.5 * pressure, area: if area > 0.0 { area } else { 1.0 } }
     }
 }
 
-/// What a type does not represent is refused in these words.
+/// Rejects values that `S` does not represent.
 #[track_caller]
 #[inline(always)]
 pub(crate) const fn check_fit<S: Scalar, const N: usize>(values: [f64; N]) {
@@ -371,7 +369,7 @@ impl DragRate {
             "a drag is finite, zero or above"
         );
         check_fit::<S, 1>([rate]);
-        // of a strong drag nothing may be left
+        // a strong drag may leave no velocity
         check_fit::<S, 3>([1.0, decay, gain]);
         self
     }
@@ -414,7 +412,7 @@ impl PanelFlow {
 }
 
 impl Length {
-    /// Refuses what is no size of a thing, or larger than the range of `S`.
+    /// Rejects lengths that are negative, undefined or beyond the range of `S`.
     #[track_caller]
     #[inline(always)]
     pub(crate) const fn check_size<S: Scalar>(self) {
@@ -424,7 +422,7 @@ impl Length {
 }
 
 impl Strength {
-    /// The same strength, which `S` represents. A spring that is rigid to `S` fits.
+    /// The same strength, which `S` represents. A spring that is rigid in the numbers of `S` fits.
     ///
     /// # Panics
     /// At compile time in a constant: where rounding would change it by more than a sixteenth, and if it is negative.
@@ -435,7 +433,7 @@ impl Strength {
         let Self { dividend, divisor } = self;
         assert!(is_not_negative(dividend) && is_not_negative(divisor), "a strength is zero or above");
         check_fit::<S, 1>([dividend]);
-        // 1/κ is added to inverse masses, beside which a small one does not count
+        // 1/κ is added to inverse masses: beside them a small value is negligible
         check_fit::<S, 2>([1.0, divisor]);
         self
     }
@@ -455,7 +453,7 @@ impl Strength {
 }
 
 impl Point {
-    /// Refuses places beyond the range of `S`.
+    /// Rejects positions beyond the range of `S`.
     #[track_caller]
     #[inline(always)]
     pub(crate) const fn check<S: Scalar>(self) {
@@ -466,13 +464,13 @@ impl Point {
         );
     }
 
-    /// The nearest vector.
+    /// The vector of the nearest numbers.
     pub fn to_vec<S: Scalar>(self) -> Vec3<S> {
         Vec3::from_f64(self.0)
     }
 }
 
-/// The distance of so many particles on a side; none where one has no neighbour.
+/// The distance between neighbours on a side with this number of particles; 0 for a single particle.
 #[track_caller]
 const fn spacing(particles: usize, size: f64) -> f64 {
     if particles < 2 {
@@ -495,7 +493,7 @@ const fn scaled(v: [f64; 3], factor: f64) -> [f64; 3] {
     [v[0] * factor, v[1] * factor, v[2] * factor]
 }
 
-/// exp(−x) for x ≥ 0, by its series at x/2ⁿ ≤ ½ and n squarings: the standard library's is no `const fn`.
+/// exp(−x) for x ≥ 0, by its series at x/2ⁿ ≤ ½ and n squarings: the standard library's function is no `const fn`.
 const fn exp_minus(x: f64) -> f64 {
     if x > 745.0 {
         return 0.0;
@@ -521,7 +519,7 @@ const fn exp_minus(x: f64) -> f64 {
     sum
 }
 
-/// −ln(x) for 0 < x ≤ 1, by Newton's method on `exp(−y) = x`.
+/// −ln(x) for 0 < x ≤ 1, by Halley's method on `exp(−y) = x`.
 const fn minus_ln(x: f64) -> f64 {
     let mut y = 0.0;
     let mut k = 0;

@@ -10,31 +10,30 @@ use crate::vec3::Vec3;
 /// All points within a radius of a line segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Capsule<S> {
-    /// The middle of the segment: whatever reaches the capsule is no further from it than fixed point holds.
+    /// The middle of the segment: with it, the distance to any particle in contact is within the range of fixed point.
     middle: Vec3<S>,
     /// The unit vector along the segment.
     axis: Vec3<S>,
     /// Half the length of the segment.
     half: S,
-    /// Radius and margin together, cells.
+    /// The sum of radius and margin, cells.
     reach: S,
     /// Coulomb's coefficient of friction.
     pub friction: S,
 }
 
 impl<S: Scalar> Capsule<S> {
-    /// A capsule without friction around the segment from `a` to `b`; particles keep at `margin` from its surface. Where `a` equals
-    /// `b` it is a sphere.
+    /// A capsule without friction around the segment from `a` to `b`; particles keep `margin` away from its surface. If `a` equals `b` it is a sphere.
     ///
     /// # Panics
-    /// If the capsule is beyond the range of the number type or longer than it, or a length negative.
+    /// If the capsule is beyond the range of the number type or longer than that range, or if a length is negative.
     #[track_caller]
     pub fn new(a: Point, b: Point, radius: Length, margin: Length) -> Self {
         a.check::<S>();
         b.check::<S>();
         let (start, end): (Vec3<S>, Vec3<S>) = (a.to_vec(), b.to_vec());
         let segment = end - start;
-        // it wraps where it is longer than the range
+        // a segment longer than the range wraps
         let whole = |segment: S, end: S, start: S| segment == end.difference(start);
         let whole =
             whole(segment.x, end.x, start.x) && whole(segment.y, end.y, start.y) && whole(segment.z, end.z, start.z);
@@ -63,7 +62,7 @@ impl<S: Scalar> Collider<S> for Capsule<S> {
         let along = from_middle.dot(self.axis).max(-self.half).min(self.half);
         let d = from_middle - self.axis * along;
         let squared = d.squared();
-        // no contact: no root
+        // no root without contact
         if squared >= self.reach.product(self.reach) {
             return None;
         }
@@ -82,7 +81,7 @@ impl<S: Scalar> Collider<S> for Capsule<S> {
 
     #[inline]
     fn reaches(&self, _moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
-        // the box around the segment, and a little more than the reach, for rounding
+        // the segment's bounding box, with a little more than the reach for rounding
         let to_end = self.axis * self.half;
         let [start, end] = [self.middle - to_end, self.middle + to_end];
         let reach = self.reach + self.reach.halve(10);

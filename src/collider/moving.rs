@@ -1,4 +1,4 @@
-//! Something that moves through the world.
+//! A moving collider.
 
 use core::ops::{Deref, DerefMut};
 
@@ -10,7 +10,7 @@ use crate::scalar::Scalar;
 use crate::units::Velocity;
 use crate::vec3::Vec3;
 
-/// A collider on its way: a scene that has one is [played](crate::Scene::play), which moves it on.
+/// A moving collider: [`Scene::play`](crate::Scene::play) steps a sheet and advances it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moving<C>(pub(super) C);
 
@@ -22,12 +22,12 @@ impl<S: Scalar> Moving<Sphere<S>> {
         moving
     }
 
-    /// Its velocity, cells per tick. In fixed point a ball stops at the end of the range, where it has no room for another tick.
+    /// The velocity, cells per tick. In fixed point a ball stops at the end of the range, before a further tick would leave it.
     pub fn velocity(&self) -> Vec3<S> {
         self.0.velocity
     }
 
-    /// The same, to be changed: whatever it is, a step cannot fail.
+    /// The velocity as a mutable reference. With any value a step cannot fail.
     pub const fn velocity_mut(&mut self) -> &mut Vec3<S> {
         &mut self.0.velocity
     }
@@ -42,7 +42,7 @@ impl<S: Scalar> Moving<Sphere<S>> {
         Self(self.0.with_friction(friction))
     }
 
-    /// Goes on with another velocity.
+    /// Changes the velocity.
     ///
     /// # Panics
     /// If the velocity doesn't [fit](Velocity::fits) the number type.

@@ -7,12 +7,12 @@ use crate::scalar::Scalar;
 use crate::units::{Length, Point};
 use crate::vec3::Vec3;
 
-/// A plane with everything behind it.
+/// A plane and the half-space behind it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane<S> {
     /// A point on it, cells.
     pub point: Vec3<S>,
-    /// The unit normal, to the side that is free.
+    /// The unit normal, towards the free side.
     pub normal: Vec3<S>,
     /// Coulomb's coefficient of friction.
     pub friction: S,
@@ -20,10 +20,10 @@ pub struct Plane<S> {
 }
 
 impl<S: Scalar> Plane<S> {
-    /// A plane without friction through `point` across `direction` (of any length but zero, up to 8); particles keep at `margin` from it.
+    /// A plane without friction through `point`, normal to `direction` (of any length but zero, up to 8); particles keep `margin` away from it.
     ///
     /// # Panics
-    /// If the direction is zero or not finite, a place or the margin beyond the range of the number type, or the margin negative.
+    /// If the direction is zero or not finite, if a position or the margin is beyond the range of the number type, or if the margin is negative.
     #[track_caller]
     pub fn new(point: Point, direction: Vec3<S>, margin: Length) -> Self {
         point.check::<S>();
@@ -34,7 +34,7 @@ impl<S: Scalar> Plane<S> {
         Self { point: point.to_vec(), normal, friction: S::ZERO, margin: S::from_f64(margin.0) }
     }
 
-    /// How far a place is in front of the plane.
+    /// The distance of a position in front of the plane.
     #[inline]
     fn height(&self, place: Vec3<S>) -> S {
         S::height(place.array(), self.point.array(), self.normal.array())
@@ -67,7 +67,7 @@ impl<S: Scalar> Collider<S> for Plane<S> {
 
     #[inline]
     fn reaches(&self, _moment: Moment, low: Vec3<S>, high: Vec3<S>) -> bool {
-        // the box's deepest corner
+        // the box's corner deepest in the half-space
         let deepest = |low: S, high: S, normal: S| if normal > S::ZERO { low } else { high };
         let Vec3 { x, y, z } = self.normal;
         let corner = Vec3::new(deepest(low.x, high.x, x), deepest(low.y, high.y, y), deepest(low.z, high.z, z));

@@ -7,21 +7,21 @@ use crate::scalar::Scalar;
 use crate::units::{Length, Point, Velocity};
 use crate::vec3::Vec3;
 
-/// A ball at rest (thesis, listing 5.4); [`with_velocity`](Self::with_velocity) lets it move.
+/// A ball at rest (thesis, listing 5.4); [`with_velocity`](Self::with_velocity) makes it move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere<S> {
-    /// Its centre at the start of the frame, cells.
+    /// The centre at the start of the frame, cells.
     pub centre: Vec3<S>,
-    /// Its velocity, cells per tick.
+    /// The velocity, cells per tick.
     pub(super) velocity: Vec3<S>,
     /// Coulomb's coefficient of friction.
     pub friction: S,
-    /// Radius and margin together, cells.
+    /// The sum of radius and margin, cells.
     reach: S,
 }
 
 impl<S: Scalar> Sphere<S> {
-    /// A ball at rest without friction; particles keep at `margin` from its surface.
+    /// A ball at rest without friction; particles keep `margin` away from its surface.
     ///
     /// # Panics
     /// If the ball is beyond the range of the number type, or a length negative.
@@ -58,7 +58,7 @@ impl<S: Scalar> Collider<S> for Sphere<S> {
         let travelled = self.velocity * moment.ticks();
         let d = position.difference(self.centre + travelled);
         let squared = d.squared();
-        // no contact: no root
+        // no root without contact
         if squared >= self.reach.product(self.reach) {
             return None;
         }
@@ -85,7 +85,7 @@ impl<S: Scalar> Collider<S> for Sphere<S> {
     #[inline]
     fn advance(&mut self, end: Moment) {
         self.centre += self.velocity * end.ticks();
-        // it would come back from the other end
+        // the next frame would wrap to the other end of the range
         let Self { centre, velocity, .. } = *self;
         if centre.x.wraps(velocity.x) || centre.y.wraps(velocity.y) || centre.z.wraps(velocity.z) {
             self.velocity = Vec3::ZERO;

@@ -1,4 +1,4 @@
-//! What stands around a collider forwards all that it says, in whichever order things are nested.
+//! Wrappers of a collider forward all of its methods, in any nesting.
 
 use crate::collider::{Collider, Contact, Meeting, Moving, OneStep, Stationary};
 use crate::fingerprint::Fingerprint;
@@ -10,10 +10,10 @@ use crate::vec3::Vec3;
 
 const MOMENT: Moment = Moment { substep: 1, substeps: 2, shift: 1, halves: 2 };
 
-/// A collider that answers as nothing else does.
+/// A collider whose answers differ from all defaults.
 #[derive(Clone, Copy, Default)]
 struct Probe {
-    /// How often it has moved on.
+    /// The number of calls of `advance`.
     frames: i32,
 }
 
@@ -50,7 +50,7 @@ impl<S: Scalar> Collider<S> for Probe {
     }
 }
 
-/// What a collider says and does.
+/// The answers and effects of a collider.
 #[allow(clippy::struct_excessive_bools, reason = "answers to questions of yes and no")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Said {
@@ -59,7 +59,7 @@ struct Said {
     reaches: [bool; 2],
     meets: bool,
     met: [f64; 2],
-    /// Whether it is as it was before a frame, and whether it is known as what it is.
+    /// Whether its fingerprint is the same after a frame, and whether it matches itself.
     is_as_before: bool,
     is_known: bool,
 }

@@ -11,14 +11,14 @@ use crate::vec3::Vec3;
 
 /// A hand: a damped spring from one particle to a target, `F = (target − x)/compliance − damping·v`.
 ///
-/// Its pull grows no more from a distance of `reach` on, so it is never more than `reach/compliance`: a sheet that is held elsewhere is not overstretched, however far away
-/// the target is. The particle keeps its mass, and once it is dropped its velocity. A pinned particle stays where it is: [`Scene::move_pin`](crate::Scene::move_pin) carries it.
+/// The force stops growing at a distance of `reach`, so it never exceeds `reach/compliance`: a pinned sheet is not overstretched, however far away the target
+/// is. The particle keeps its mass, and after release its velocity. A pinned particle stays in place: [`Scene::move_pin`](crate::Scene::move_pin) moves it.
 ///
-/// The hand is a force like any other: all solvers approximate the same equation with it, in their order. Where a substep h is too long for its strength, spring and damper are
-/// weaker, so that no particle overshoots: h²/(compliance·m) is at most ½, damping·h/m at most ¾, and no pull moves a particle of mass m by more than half a cell in a
-/// substep. Here m is the mass of an ordinary particle, or of the held one if that is lighter.
+/// The hand is a force like any other: all solvers approximate the same equation with it, in their order. Where a substep h is too long for its strength,
+/// spring and damper are weakened, so that no particle overshoots. h²/(compliance·m) is at most ½, damping·h/m at most ¾, and the spring moves a particle of
+/// mass m by at most half a cell in a substep. Here m is the unit of mass, or the mass of the gripped particle if that is smaller.
 ///
-/// A hand that holds nothing costs a look in each substep.
+/// An empty hand costs one test in each substep.
 ///
 /// ```
 /// use kerchief::*;
@@ -46,7 +46,7 @@ use crate::vec3::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hand<S> {
-    /// The particle and where it is dragged, cells.
+    /// The gripped particle and its target, cells.
     held: Option<(Node, Vec3<S>)>,
     spring: Quotient<S>,
     damper: Quotient<S>,
@@ -56,19 +56,19 @@ pub struct Hand<S> {
     shift: u32,
 }
 
-/// How far a pull moves a particle in a substep at most, cells: further, and its links are overstretched before they pull.
+/// The largest displacement by the spring in a substep, cells: with a larger one the particle's links are overstretched before they act.
 const FURTHEST: f64 = 0.5;
 
-/// The part of the way to its target that a particle goes in a substep at most, and the part of its velocity that it loses. An explicit rule is stable up to 4 of the one and 2 of the
-/// other; the line solver, which extrapolates velocities, up to 4/3 of the other.
+/// The largest part of the distance to its target that a particle moves in a substep, and the largest part of its velocity that it loses. An explicit rule is
+/// stable up to 4 and 2 respectively; the line solver, which extrapolates velocities, up to 4/3 of the velocity.
 const MOST_OF_WAY: f64 = 0.5;
 const MOST_OF_SPEED: f64 = 0.75;
 
-/// The velocity that it gives at most, cells per tick, so that many substeps do not leave fixed point.
+/// The largest velocity change, cells per tick, so that many substeps do not leave the range of fixed point.
 const FASTEST: f64 = 32.0;
 
 impl<S: Scalar> Hand<S> {
-    /// A hand that holds nothing.
+    /// An empty hand.
     ///
     /// # Panics
     /// If compliance or damping doesn't [fit](Strength::fits) the number type, or the reach is negative or beyond its range.
@@ -79,7 +79,7 @@ impl<S: Scalar> Hand<S> {
         Self { held: None, spring, damper, reach: S::from_f64(reach.0), shift: units.shift() }
     }
 
-    /// Takes hold of a particle, where it is: nothing moves yet.
+    /// Grips a particle, with its present position as the target: nothing moves yet.
     ///
     /// # Panics
     /// If the sheet has no such particle.
@@ -89,19 +89,19 @@ impl<S: Scalar> Hand<S> {
         self.held = Some((node, particles.position.at(node)));
     }
 
-    /// Drags what is held to a target (cells). It stays dragged there until it is told otherwise.
+    /// Sets the target of the gripped particle (cells). The target stays until the next call.
     pub fn drag_to(&mut self, target: Vec3<S>) {
         if let Some((_, held)) = &mut self.held {
             *held = target;
         }
     }
 
-    /// Lets go, and says of what.
+    /// Releases the particle and returns it.
     pub fn drop(&mut self) -> Option<Node> {
         self.held.take().map(|(node, _)| node)
     }
 
-    /// The pin that is held, and where it is carried in a frame: `stride` towards its target at most. For [`Scene::move_pin`](crate::Scene::move_pin).
+    /// The gripped pin and its position after a frame, moved by at most `stride` towards its target. For [`Scene::move_pin`](crate::Scene::move_pin).
     pub fn carried<const W: usize, const H: usize>(
         &self,
         particles: &Particles<S, W, H>,
@@ -112,7 +112,7 @@ impl<S: Scalar> Hand<S> {
         Some((node, from + shortened(target.difference(from), S::from_f64(stride.0))))
     }
 
-    /// The particle that is held and its target, cells.
+    /// The gripped particle and its target, cells.
     pub const fn held(&self) -> Option<(Node, Vec3<S>)> {
         self.held
     }
@@ -139,7 +139,7 @@ impl<S: Scalar> Force<S> for Hand<S> {
             return;
         }
         let w = row.inverse_mass[column];
-        // gains are those of mass 1: a lighter particle moves by w times as much
+        // gains are for mass 1: a lighter particle moves by w times as much
         let at_most = |bound: f64| if w > S::ONE { S::from_f64(bound).divide(w) } else { S::from_f64(bound) };
         let way = shortened(target.difference(row.position.at(column)), self.reach);
         let furthest = at_most(FURTHEST).min(at_most(FASTEST).halve(self.shift));
@@ -160,14 +160,14 @@ impl<S: Scalar> Force<S> for Hand<S> {
     }
 }
 
-/// The strength, or `most ≤ 1` if that is less.
+/// The strength, at most `most ≤ 1`.
 #[inline]
 fn bounded<S: Scalar>(strength: Quotient<S>, most: S) -> S {
     let Quotient { dividend, divisor } = strength;
     if dividend > divisor * most { most } else { dividend.divide(divisor) }
 }
 
-/// The vector, or one of length `most` in its direction.
+/// The vector, shortened to the length `most` if it is longer.
 #[inline]
 fn shortened<S: Scalar>(vector: Vec3<S>, most: S) -> Vec3<S> {
     let length = vector.length();
@@ -190,7 +190,7 @@ mod tests {
         Hand::new(&UNITS, UNITS.compliance(compliance), UNITS.damping(0.2), UNITS.length(reach))
     }
 
-    /// Without links the particle alone hangs from the hand, as far below it as compliance and weight say.
+    /// Without links the particle alone hangs from the hand, as far below it as compliance and weight determine.
     fn compliance_is_as_stated<S: Scalar>() {
         let mut cloth = Cloth::<S, 4, 3>::lay(&UNITS, UNITS.point([0.0; 3]));
         let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), hand::<S>(2.0, 0.1));
@@ -234,7 +234,7 @@ mod tests {
         assert!(pull(5.0) / pull(0.05) < 1.2, "{} {}", pull(5.0), pull(0.05));
     }
 
-    /// However stiff, heavy or light: the particle comes to its target and stays there, by every solver.
+    /// For any stiffness and mass, every solver brings the particle to its target, and it stays there.
     #[test]
     fn no_strength_overshoots() {
         fn check<S: Scalar, V: Solver<S>>(solver: V, [compliance, damping, inverse_mass]: [f64; 3]) {

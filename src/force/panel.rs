@@ -8,15 +8,17 @@ use crate::units::PanelFlow;
 use crate::vec3::Vec3;
 use crate::vectors::{SIDE_BY_SIDE, left, right};
 
-/// Wind as the drag of plates, one for each cell: `F = ½·ρ·c·A·(n̂·u)·|n̂·u|·n̂`, a quarter of it on each corner, where `A·n̂` is half the vector product of the cell's
-/// diagonals and `u = wind − mean corner velocity`; in a step too long for that, no more than brings the sheet to the wind's velocity.
+/// Wind as the drag of plates, one for each cell: `F = ½·ρ·c·A·(n̂·u)·|n̂·u|·n̂`, a quarter of it on each corner. `A·n̂` is half the vector product of the
+/// cell's diagonals, and `u = wind − mean corner velocity`. If the substep is too long for this force, it is limited, so that it brings the sheet at most to
+/// the wind's velocity.
 ///
-/// A quadrilateral panel has its normal from its diagonals in aerodynamics, too (J. Hess, A. Smith, *Calculation of potential flow about arbitrary bodies*, 1967).
-/// [`AerodynamicWind`](crate::AerodynamicWind) presses on both triangles of a cell instead, each along its own normal. What is flat and does not turn is pressed alike. This
-/// one takes neither a root nor, in fixed point, a division: on a board without a unit for floats it costs about a tenth. And it tells no side from the other: a
-/// mirrored sheet moves as the mirror image.
+/// In aerodynamics, too, a quadrilateral panel has its normal from its diagonals (J. Hess, A. Smith, *Calculation of potential flow about arbitrary bodies*,
+/// 1967). [`AerodynamicWind`](crate::AerodynamicWind) acts on both triangles of a cell instead, each along its own normal. On a flat cell that does not turn
+/// both forces are equal. Panel wind takes neither a root nor, in fixed point, a division: on a board without a floating-point unit it costs about a tenth. It
+/// treats both sides alike: a mirrored sheet moves as the mirror image.
 ///
-/// In fixed point, relative velocities of up to 8 cells per tick in panels of 0.8 to 1.25 times their rest area take the short way, in numbers of 13 fraction bits.
+/// In fixed point, relative velocities of up to 8 cells per tick at panels of 0.8 to 1.25 times their rest area are computed by a fast path, in numbers of 13
+/// fraction bits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PanelWind<S: Scalar> {
     /// The wind's velocity, cells per tick.
@@ -39,7 +41,7 @@ impl<S: Scalar> PanelWind<S> {
         Self { wind: Vec3::from_f64(flow.wind), pressure, area, panel: S::panel(pressure, area) }
     }
 
-    /// The same where there is no short way.
+    /// The same gain outside the range of the fast path.
     #[inline(never)]
     #[cold]
     fn gain_any<const W: usize>(&self, rows: [Row<'_, S, W>; 2], cell: usize) -> Vec3<S> {
@@ -48,7 +50,7 @@ impl<S: Scalar> PanelWind<S> {
         Vec3::press_any(diagonals, air, &self.panel, most(&rows, cell))
     }
 
-    /// The diagonals of the panel between two columns, and the velocity of the air relative to it.
+    /// The diagonals of the panel between two columns, and the air's velocity relative to it.
     #[inline(always)]
     fn meets(&self, left: &Column<S>, right: &Column<S>) -> ([Vec3<S>; 2], Vec3<S>) {
         ([right.lower - left.upper, right.upper - left.lower], self.wind - (left.velocity + right.velocity))
@@ -76,7 +78,7 @@ impl<S: Scalar> Force<S> for PanelWind<S> {
         }
         let rows = [top, bottom];
         if const { SIDE_BY_SIDE } {
-            // all at once and without a branch, so that a machine may compute four at a time; beyond the last column comes the first
+            // all at once and without a branch, so that a processor may compute four at a time; the first column follows the last
             let heavy = rows.iter().all(|row| row.inverse_mass.iter().all(|w| *w <= light()));
             let all: [S; W] = core::array::from_fn(|cell| most(&rows, if heavy { W } else { cell }));
             let next = [top.position, bottom.position, top.velocity, bottom.velocity];
@@ -119,7 +121,7 @@ impl<S: Scalar> Force<S> for PanelWind<S> {
     }
 }
 
-/// A column of the panels between two rows.
+/// A column of particles in two neighbouring rows.
 #[derive(Clone, Copy)]
 struct Column<S> {
     upper: Vec3<S>,
@@ -143,7 +145,7 @@ fn light<S: Scalar>() -> S {
     S::ONE + S::ONE.halve(2)
 }
 
-/// [`MOST_OF_PANEL`], or what the lightest corner of a cell loses instead: 5/4 of it over an inverse mass of more than that.
+/// [`MOST_OF_PANEL`], divided by w/(5/4) if the lightest corner of a cell has an inverse mass w above 5/4.
 #[inline(always)]
 fn most<S: Scalar, const W: usize>([top, bottom]: &[Row<'_, S, W>; 2], cell: usize) -> S {
     let most = S::from_f64(MOST_OF_PANEL);

@@ -11,13 +11,13 @@ use crate::vectors::{SIDE_BY_SIDE, left, right};
 
 /// Wind as a pressure along each triangle's normal: force `n·(n̂·wind)` with `n = (b−a)×(c−a)` on each of its corners (thesis, 3.3 and listing 5.3).
 ///
-/// The force grows with the area to which it stretches the sheet, and does not weaken with the sheet's velocity. Where a substep is too long for that, a triangle
-/// gives a corner of mass 1 no more than a third of the wind's own velocity across it, which keeps solvers that are stable for any step finite.
+/// The force grows with the area to which it stretches the sheet, and does not weaken with the sheet's velocity. If a substep is too long for this force, it is
+/// limited: a corner of mass 1 gains at most a third of the wind's velocity normal to a triangle. So solvers that are stable for any step stay finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FacetWind<S> {
-    /// The velocity that a corner gains in a substep from a triangle with |n| = 1 cell² across the wind (cells per tick).
+    /// The velocity that a corner gains in a substep from a triangle with |n| = 1 cell² normal to the wind (cells per tick).
     pub wind: Vec3<S>,
-    /// The |n| (cells²) from which on the force grows no more: a corner of mass 1 then gains a third of the wind's velocity across the triangle in a substep.
+    /// The |n| (cells²) at which the force stops growing: a corner of mass 1 then gains a third of the wind's velocity normal to the triangle in a substep.
     pub widest: S,
 }
 
@@ -65,21 +65,22 @@ impl<S: Scalar> Force<S> for FacetWind<S> {
     }
 }
 
-/// The part of its velocity through the air, as a power of ½, that a corner of mass 1 loses at most in a substep to a triangle with |n| = 1.
+/// The largest part of its velocity relative to the air that a corner of mass 1 loses in a substep to a triangle with |n| = 1, as a power of ½.
 ///
-/// Six triangles meet in a particle. All of them together, with up to [`LARGE`] times their area in a stretched sheet, bring it to rest in the air and don't
-/// overshoot. Without this bound the pressure, which grows with the square of the velocity and is taken at the start of a substep, would in a long one throw a
-/// light sheet back faster than it came, and faster still in the next.
+/// Six triangles meet in a particle. With up to [`LARGE`] times their area in a stretched sheet, all six together slow it at most to rest relative to the air,
+/// without overshoot. The pressure grows with the square of the velocity and is taken at the start of a substep. Without this limit, a long substep would throw
+/// a light sheet back faster than it came, and faster still in the next one.
 ///
-/// A cell whose lightest corner has an inverse mass w of more than 5/4 has 5/(64·w) instead, which for a particle inside the sheet adds up to 15/16 of its
-/// velocity in the air. The line solver, which extrapolates velocities, survives 4/3 of it.
+/// A cell whose lightest corner has an inverse mass w above 5/4 has 5/(64·w) instead. For a particle inside the sheet this adds up to 15/16 of its velocity
+/// relative to the air. The line solver, which extrapolates velocities, stays stable up to 4/3 of it.
 const MOST: u32 = 4;
 
-/// From which |n| on, cells², a triangle's part is bounded the more the larger it is.
+/// The |n|, cells², above which a triangle's limit decreases with its size.
 const LARGE: i32 = 2;
 
 /// Wind as the drag of a plate, relative to the cloth's own velocity: `F = ½·ρ·c·A·(n̂·u)·|n̂·u|·n̂` for the triangle of area A with
-/// `u = wind − mean corner velocity`, a third of it on each corner; in a step too long for that, no more than brings the sheet to the wind's velocity.
+/// `u = wind − mean corner velocity`, a third of it on each corner. If the substep is too long for this force, it is limited, so that it brings the sheet at
+/// most to the wind's velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AerodynamicWind<S> {
     /// The wind's velocity, cells per tick.
@@ -119,7 +120,7 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
     fn cells<const W: usize>(&self, rows: [Row<'_, S, W>; 2], gains: [&mut Vec3<[S; W]>; 2]) {
         let (third, large) = (S::ONE.divide(S::from_int(3)), S::from_int(LARGE));
         let most = most(rows);
-        // faster air is bounded anyway, and times a high pressure it would leave fixed point
+        // faster air is limited anyway; times a high pressure it would leave the range of fixed point
         let fastest = if self.pressure > S::ONE { S::ONE } else { S::from_int(127) };
         triangles(rows, gains, |cell, corners, [a, b, c]| {
             let n = normal(corners);
@@ -141,7 +142,7 @@ impl<S: Scalar> Force<S> for AerodynamicWind<S> {
     }
 }
 
-/// The bound of each cell between two rows: see [`MOST`].
+/// The limit for each cell between two rows: see [`MOST`].
 #[inline]
 fn most<S: Scalar, const W: usize>([top, bottom]: [Row<'_, S, W>; 2]) -> [S; W] {
     let light = S::ONE + S::ONE.halve(2);
@@ -174,8 +175,8 @@ fn normal<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Vec3<S> {
 
 /// Adds `gain(cell, positions, velocities)` to the corners of both triangles of each cell between two rows.
 ///
-/// All cells at once and without a branch, so that a machine may compute four at a time: the row's first particles stand in for the corners of a cell beyond
-/// the last, whose gains are dropped.
+/// All cells are computed at once and without a branch, so that a processor may compute four at a time. The row's first particles replace the corners of a cell
+/// beyond the last; their gains are dropped.
 #[inline]
 fn triangles<S: Scalar, const W: usize>(
     [top, bottom]: [Row<'_, S, W>; 2],
@@ -194,7 +195,7 @@ fn triangles<S: Scalar, const W: usize>(
         let at = |row: &Row<'_, S, W>| (row.position.at(cell), row.velocity.at(cell));
         let (p, s) = (at(&top), at(&bottom));
         let (q, t) = ((q.at(cell), vq.at(cell)), (t.at(cell), vt.at(cell)));
-        // apart they are inlined and done four at a time, mapped over they are one piece of a small chip's flash
+        // two calls are inlined and computed four at a time; a map over an array takes less flash on a small chip
         let [one, two] = if const { SIDE_BY_SIDE } {
             [gain(cell, [q.0, p.0, s.0], [q.1, p.1, s.1]), gain(cell, [t.0, q.0, s.0], [t.1, q.1, s.1])]
         } else {
@@ -206,7 +207,7 @@ fn triangles<S: Scalar, const W: usize>(
     for rest in [&mut first, &mut second] {
         rest.set(W - 1, Vec3::ZERO);
     }
-    // a particle has the gains of the cell to its right and of the one to its left
+    // a particle gains from the cell to its right and from the cell to its left
     let previous = |row: &Vec3<[S; W]>| row.components(right::<1, S, W>);
     let (before, both_before) = (previous(&first), previous(&second));
     for column in 0..W {

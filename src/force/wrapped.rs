@@ -1,11 +1,11 @@
-//! What stands around a force forwards all that it says, in whichever order things are nested.
+//! Wrappers of a force forward all of its methods, in any nesting.
 
 use crate::fingerprint::Fingerprint;
 use crate::force::{Force, Row, Slowdown};
 use crate::scalar::{Q24, Scalar};
 use crate::vec3::Vec3;
 
-/// A force that answers as nothing else does.
+/// A force whose answers differ from all defaults.
 #[derive(Clone, Copy)]
 struct Probe;
 
@@ -45,7 +45,7 @@ impl<S: Scalar> Force<S> for Probe {
     }
 }
 
-/// What a force says and does.
+/// The answers and effects of a force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Said<S> {
     speaks: [bool; 2],

@@ -1,13 +1,13 @@
-//! Numbers as types: arrays whose lengths are decided by what a scene's links are.
+//! Numbers as types: the links of a scene determine the lengths of a solver's arrays.
 
 use core::fmt::Debug;
 
 use crate::grid::Grid;
 use crate::scalar::Scalar;
 
-/// A value to start from, known when a program is compiled.
+/// An initial value, known at compile time.
 pub trait Blank: Copy + Debug + Send + 'static {
-    /// Nothing but zeros.
+    /// All zeros.
     const BLANK: Self;
 }
 
@@ -19,12 +19,12 @@ impl<T: Blank, const N: usize> Blank for [T; N] {
     const BLANK: Self = [T::BLANK; N];
 }
 
-/// A number of things, as a type: of [`Directions`].
+/// A number as a type: see [`Directions`].
 pub trait Count {
     /// The number.
     const NUMBER: usize;
 
-    /// As many values.
+    /// An array of [`NUMBER`](Self::NUMBER) values.
     type Array<T: Blank>: Blank + AsMut<[T]>;
 
     /// One more, at most 24.
@@ -34,7 +34,7 @@ pub trait Count {
     type Plus<B: Count>: Count;
 }
 
-/// How many directions of links a family has: one for links along rows or along columns, two for links along both diagonals of a box.
+/// The number of directions of a family of links: one for links along rows or along columns, two for links along both diagonals of a box.
 #[derive(Clone, Copy, Debug)]
 pub enum Directions<const N: usize> {}
 
@@ -85,13 +85,13 @@ count! {
 
 /// Whether links may have dampers, as a type: [`Undamped`] or [`WithDampers`].
 pub trait Damping {
-    /// Whether there may be dampers.
+    /// Whether there may be any.
     const ANY: bool;
 
-    /// What a solver remembers of what springs did beside dampers: a vector of `T`s, or nothing.
+    /// A solver's memory of the velocity changes by springs, needed beside dampers: a vector of `T`s, or nothing.
     type Pull<T: Blank>: Blank + AsMut<[T]>;
 
-    /// Whether these links or others have some.
+    /// Whether these or the other links may have dampers.
     type Or<B: Damping>: Damping;
 }
 

@@ -1,5 +1,5 @@
-//! The limit on the deformation rate (X. Provot, *Deformation constraints in a mass-spring model to describe rigid cloth behavior*,
-//! 1995): no link longer than `1 + limit` times its rest length after a step, at pins too. Only what a collider moves afterwards may be: it has the last word.
+//! The limit on the deformation rate (X. Provot, *Deformation constraints in a mass-spring model to describe rigid cloth behavior*, 1995). After a step no link
+//! is longer than `1 + limit` times its rest length, at pins too. Only links whose particles a collider moves afterwards may be longer: contacts come last.
 
 use core::cmp::Ordering;
 
@@ -10,11 +10,11 @@ use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::scalar::fit::is_positive;
 
-/// The most sweeps that a step spends on overlong links. Sweeps end as soon as there is none; one is usual, a few hundred are met
-/// where a solver leaves a sheet of 32 × 32 stretched to several times its size.
+/// Limit on the sweeps over overlong links in a step. Sweeps end as soon as no link is overlong. One sweep is usual; a few hundred occur where a solver leaves
+/// a sheet of 32 × 32 stretched to several times its size.
 const MOST_SWEEPS: u32 = 1000;
 
-/// Links none of which is longer than `1 + limit` times its rest length after a step (thesis, section 5.4.2).
+/// Links of which none is longer than `1 + limit` times its rest length after a step (thesis, section 5.4.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StrainLimited<L, S> {
     links: L,
@@ -23,7 +23,7 @@ pub struct StrainLimited<L, S> {
 }
 
 impl<L, S: Scalar> StrainLimited<L, S> {
-    /// `links` with a largest strain of `limit` (no unit, positive; in fixed point below 63).
+    /// `links` with a maximum strain of `limit` (no unit, positive; in fixed point below 63).
     ///
     /// # Panics
     /// For any other limit.
@@ -87,13 +87,13 @@ impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Shorten<'_, S, W
     #[inline(always)]
     fn links(&mut self, family: &Family<S>, order: impl Order) {
         let longest = family.rest.length * self.allowed;
-        // a little shorter than allowed, so that sweeps come to an end
+        // slightly shorter than allowed, so that sweeps end
         let target = longest - longest.halve(10);
         let square = longest.product(longest);
         order.each::<W, H>(|a, b| {
             let d = self.particles.position.at(b) - self.particles.position.at(a);
             let squared = d.squared();
-            // an edge that is undefined is no longer than anything
+            // an undefined length is not greater than any number
             if squared.partial_cmp(&square) != Some(Ordering::Greater) {
                 return;
             }
@@ -103,7 +103,7 @@ impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Shorten<'_, S, W
             }
             self.found = true;
             let part = S::ONE - target.divide(S::root(squared));
-            // parts of a part: over the inverse masses of heavy particles it is more than fixed point holds
+            // the product of two fractions: divided by the inverse masses of heavy particles, the part would leave the range of fixed point
             let share = wa.divide(wa + wb);
             self.particles.displace(a, d * (part * share), self.moment);
             self.particles.displace(b, -(d * (part * (S::ONE - share))), self.moment);

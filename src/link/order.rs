@@ -4,11 +4,10 @@ use super::Family;
 use crate::grid::Node;
 use crate::scalar::Scalar;
 
-/// Calls `visit` with both ends of every link of offset `ACROSS`, `DOWN` in a sheet of `W` × `H` particles; where neither is zero,
-/// both diagonals of the box.
+/// Calls `visit` with both ends of every link of offset `ACROSS`, `DOWN` in a sheet of `W` × `H` particles; if neither is zero, of both diagonals of the box.
 ///
-/// Links are coloured: links of one colour share no particle. So a mirrored sheet of even width is relaxed as the mirror image, in floats to the last bit,
-/// where sweeping from left to right would lean to one side.
+/// Links are coloured: links of one colour share no particle. So a mirrored sheet of even width is relaxed as the mirror image, in floats to the last bit.
+/// Sweeps from left to right would lean to one side.
 #[inline]
 pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usize>(visit: impl FnMut(Node, Node)) {
     Known::<ACROSS, DOWN>.each::<W, H>(visit);
@@ -16,20 +15,20 @@ pub fn each<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usi
 
 /// The links of a family in the order of [`each`].
 pub(crate) trait Order: Copy {
-    /// How many columns and rows the ends of a link are apart.
+    /// The distance between the ends of a link, in columns and rows.
     fn offset(self) -> [usize; 2];
 
-    /// Calls `visit` as [`each`] does.
+    /// Calls `visit` in the order of [`each`].
     fn each<const W: usize, const H: usize>(self, visit: impl FnMut(Node, Node));
 }
 
-/// Does something with the links of a family, whichever it is.
+/// An operation on the links of any family.
 pub(crate) trait OneByOne<S: Scalar> {
     fn links(&mut self, family: &Family<S>, order: impl Order);
 }
 
-/// Lets `visitor` do what it does. A board has one grid, and each family gets a piece of code of its own, whose offsets the compiler knows: a third faster for leapfrog on a Cortex-M3
-/// than one for all families. Programs with scene files (`std`) have dozens of grids, and compile one for all.
+/// Applies `visitor` to a family. A board has one grid, and each family gets its own code with offsets known to the compiler: a third faster for leapfrog on a
+/// Cortex-M3 than common code for all families. Programs with scene files (`std`) have dozens of grids and compile common code.
 #[inline(always)]
 pub(crate) fn one_by_one<S: Scalar, const ACROSS: usize, const DOWN: usize>(
     visitor: &mut impl OneByOne<S>,
@@ -47,7 +46,7 @@ fn for_all_families<S: Scalar>(visitor: &mut impl OneByOne<S>, family: &Family<S
     visitor.links(family, offset);
 }
 
-/// An offset that is known when this is compiled.
+/// An offset known at compile time.
 #[derive(Clone, Copy)]
 struct Known<const ACROSS: usize, const DOWN: usize>;
 
@@ -67,7 +66,7 @@ impl<const ACROSS: usize, const DOWN: usize> Order for Known<ACROSS, DOWN> {
     }
 }
 
-/// An offset that is known when a program runs.
+/// An offset known at run time.
 #[derive(Clone, Copy)]
 struct Offset {
     across: usize,
@@ -87,7 +86,7 @@ impl Order for Offset {
             in_colours(self.across, W, |column, right| {
                 for diagonal in 0..diagonals {
                     let (a, b) = if diagonal == 0 { (column, right) } else { (right, column) };
-                    // so that a compiler sees it after the choice, too
+                    // checked after the choice, too, so that the compiler removes bounds checks
                     if a < W && b < W {
                         visit(Node { column: a, row }, Node { column: b, row: below });
                     }
@@ -97,7 +96,7 @@ impl Order for Offset {
     }
 }
 
-/// Calls `visit` with both ends of every link of that extent in a line of `count` particles, `extent` links at a time, every other time.
+/// Calls `visit` with both ends of every link of this extent in a line of `count` particles. Blocks of `extent` links alternate between two colours.
 #[inline(always)]
 fn in_colours(extent: usize, count: usize, mut visit: impl FnMut(usize, usize)) {
     let (block, colours) = if extent == 0 { (count, 1) } else { (extent, 2) };
@@ -106,7 +105,7 @@ fn in_colours(extent: usize, count: usize, mut visit: impl FnMut(usize, usize)) 
         while start < count {
             for first in start..start + block {
                 let second = first + extent;
-                // both are asked for, so that neither is looked up out of bounds
+                // both are checked, so that the compiler removes bounds checks
                 if first < count && second < count {
                     visit(first, second);
                 }
@@ -116,12 +115,12 @@ fn in_colours(extent: usize, count: usize, mut visit: impl FnMut(usize, usize)) 
     }
 }
 
-/// Whether a sheet of `W` × `H` particles has links of that offset.
+/// Whether a sheet of `W` × `H` particles has links of this offset.
 pub(crate) const fn fits<const ACROSS: usize, const DOWN: usize, const W: usize, const H: usize>() -> bool {
     ACROSS < W && DOWN < H
 }
 
-/// Calls `visit` with every row in which links of extent `DOWN` start: rows whose links share a particle lie in two colours, one after the other.
+/// Calls `visit` with every row in which links of extent `DOWN` start. Rows whose links share a particle have different colours; one colour follows the other.
 #[inline(always)]
 pub(crate) fn each_row<const DOWN: usize, const H: usize>(mut visit: impl FnMut(usize)) {
     for colour in 0..colours(DOWN) {
@@ -136,7 +135,7 @@ pub(crate) fn in_row<const ACROSS: usize, const DOWN: usize, const W: usize>(mut
     let sides: &[bool] = if ACROSS > 0 && DOWN > 0 { &[false, true] } else { &[false] };
     for colour in 0..colours(ACROSS) {
         coloured::<ACROSS>(colour, W, |column| {
-            // one call for both diagonals, so that it is inlined and knows its bounds
+            // one call for both diagonals, so that it is inlined and its bounds are known
             for &mirrored in sides {
                 let (a, b) = if mirrored { (column + ACROSS, column) } else { (column, column + ACROSS) };
                 visit(a, b);
@@ -145,7 +144,7 @@ pub(crate) fn in_row<const ACROSS: usize, const DOWN: usize, const W: usize>(mut
     }
 }
 
-/// Calls `visit` with the first ends of the links of one colour and extent in a line of `count` particles: `EXTENT` at a time, every other time.
+/// Calls `visit` with the first ends of the links of one colour and extent in a line of `count` particles: every other block of `EXTENT` links.
 #[inline(always)]
 fn coloured<const EXTENT: usize>(colour: usize, count: usize, mut visit: impl FnMut(usize)) {
     if EXTENT == 0 {
@@ -233,7 +232,7 @@ mod tests {
                 })
                 .collect()
         }
-        // colour by colour: a colour ends where a particle comes again
+        // colour by colour: a colour ends where a particle occurs a second time
         for found in [links::<1, 0>(), links::<1, 1>(), links::<2, 0>()] {
             let mut start = 0;
             while start < found.len() {

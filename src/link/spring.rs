@@ -1,4 +1,4 @@
-//! Springs between neighbours: Hooke's law `f = −k·(|d| − L)·d/|d|`, rest length L = initial distance.
+//! Springs between neighbours: Hooke's law `f = −k·(|d| − L)·d/|d|`, with the initial distance as the rest length L.
 
 use crate::fingerprint::Fingerprint;
 use crate::link::{Directions, Family, Links, Quotient, Undamped, Visitor, WithDampers};
@@ -31,7 +31,7 @@ macro_rules! springs {
         }
 
         impl<S: Scalar> Links<S> for $name<S> {
-            // one along rows and one along columns, or one along each diagonal
+            // one direction along rows and one along columns, or one along each diagonal
             type Directions = Directions<2>;
             type Damping = Undamped;
 
@@ -61,7 +61,7 @@ springs!(
     Bend, 0: 2, 0; 1: 0, 2
 );
 
-/// Links with dampers beside their springs: `f = −k_d·(v_i − v_j)` (thesis, equation 4.4).
+/// Links with dampers parallel to their springs: `f = −k_d·(v_i − v_j)` (thesis, equation 4.4).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Damped<L, S> {
     links: L,
@@ -69,7 +69,7 @@ pub struct Damped<L, S> {
 }
 
 impl<L, S: Scalar> Damped<L, S> {
-    /// `links` with a damper of this strength beside each spring.
+    /// `links` with a damper of this strength parallel to each spring.
     ///
     /// # Panics
     /// If the strength doesn't [fit](Strength::fits) the number type.
@@ -91,7 +91,7 @@ impl<S: Scalar, L: Links<S>> Links<S> for Damped<L, S> {
 
     #[inline]
     fn dampers<V: Visitor<S>>(&self, visitor: &mut V) {
-        // a scene that is put together at run time may have none
+        // a scene built at run time may have a damping of zero
         if self.damping.dividend != S::ZERO {
             self.links.springs(&mut WithStrength { visitor, strength: self.damping });
         }
@@ -109,7 +109,7 @@ impl<S: Scalar, L: Links<S>> Links<S> for Damped<L, S> {
     }
 }
 
-/// Passes families on with another strength.
+/// Forwards families with another strength.
 struct WithStrength<'a, V, S> {
     visitor: &'a mut V,
     strength: Quotient<S>,
@@ -127,7 +127,7 @@ mod tests {
     use super::*;
     use crate::units::Units;
 
-    /// How many families are visited.
+    /// The number of families visited.
     struct Count(usize);
 
     impl<S: Scalar> Visitor<S> for Count {

@@ -1,7 +1,7 @@
-//! Tethers: no particle further from a pin than its rest distance along the sheet (T.-Y. Kim, N. Chentanez, M. Müller-Fischer, *Long range
-//! attachments*, 2012).
+//! Tethers: no particle is further from a pin than its rest distance along the sheet (T.-Y. Kim, N. Chentanez, M. Müller-Fischer, *Long range attachments*,
+//! 2012).
 //!
-//! They cure what is left of super-elasticity cheaply, and bias positions by up to a few percent of the sheet: an option, never silent.
+//! They remove remaining super-elasticity cheaply, and bias positions by up to a few percent of the sheet. So they are an option, never a default.
 
 use heapless::Vec;
 
@@ -22,10 +22,10 @@ pub struct Tether<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Tether<S, N> {
-    /// Tethers to `anchors`, each `1 + slack` times as long as the distance at rest. An anchor that a sheet does not have holds nothing.
+    /// Tethers to `anchors`, each `1 + slack` times as long as the distance at rest. An anchor outside a sheet has no effect.
     ///
     /// # Errors
-    /// Gives back the anchors if there are more than `N`.
+    /// Returns the anchors if there are more than `N`.
     ///
     /// # Panics
     /// If the slack is negative or not finite.
@@ -49,7 +49,7 @@ impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
 
     fn confine<const W: usize, const H: usize>(&self, particles: &mut Particles<S, W, H>, moment: Moment) {
         for &anchor in &self.anchors {
-            // a pin that was let go holds nothing
+            // a released pin has no effect
             if anchor.column >= W || anchor.row >= H || !particles.is_pinned(anchor) {
                 continue;
             }
@@ -63,7 +63,7 @@ impl<S: Scalar, const N: usize> Links<S> for Tether<S, N> {
                 let longest = across.product(across) + down.product(down);
                 let d = pin - particles.position.at(node);
                 let squared = d.squared();
-                // slack: no root
+                // a slack tether needs no root
                 if squared > longest {
                     let part = S::ONE - S::root(longest).divide(S::root(squared));
                     particles.displace(node, d * part, moment);
