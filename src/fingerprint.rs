@@ -1,11 +1,12 @@
-//! A number that is another one when anything has changed: how a sheet at rest notices that it has to wake.
+//! A hash that differs after a change of any input: a sheet at rest uses it to wake.
 
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
 /// A 32-bit hash of numbers, in the order in which they were added.
 ///
-/// A single number of 32 bits that changes always changes it; several, or one of 64, that change at once leave it the same once in 2³² times.
+/// If a single number of 32 bits changes, the hash always changes. If several numbers or one of 64 bits change at once, the hash stays the same in one of 2³²
+/// cases.
 ///
 /// ```
 /// use kerchief::fingerprint::Fingerprint;
@@ -27,47 +28,47 @@ pub struct Fingerprint {
 }
 
 impl Fingerprint {
-    /// The fingerprint of nothing.
+    /// The fingerprint of no data.
     pub const fn new() -> Self {
         Self { hash: 0, known: true }
     }
 
-    /// Takes something in that cannot be seen: this fingerprint then matches no other.
+    /// Adds data that cannot be read: this fingerprint then matches no other.
     pub const fn unknown(&mut self) {
         self.known = false;
     }
 
-    /// Takes a number in.
+    /// Adds a number.
     #[inline]
     pub fn number<S: Scalar>(&mut self, number: S) {
         self.word(number.word());
     }
 
-    /// Takes numbers in.
+    /// Adds numbers.
     #[inline]
     pub fn numbers<S: Scalar, const N: usize>(&mut self, numbers: [S; N]) {
         numbers.into_iter().for_each(|number| self.number(number));
     }
 
-    /// Takes a vector in.
+    /// Adds a vector.
     #[inline]
     pub fn vector<S: Scalar>(&mut self, vector: Vec3<S>) {
         self.numbers([vector.x, vector.y, vector.z]);
     }
 
-    /// Takes 32 bits in.
+    /// Adds 32 bits.
     #[inline]
     pub fn word(&mut self, word: u32) {
-        // the rotation brings what a product leaves in the upper bits, as of changed signs, back to the lower ones
+        // a product changes mainly the upper bits, for example by a changed sign; the rotation brings them back to the lower ones
         self.hash = (self.hash.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b9);
     }
 
-    /// The hash itself.
+    /// The hash value.
     pub(crate) const fn hash(self) -> u32 {
         self.hash
     }
 
-    /// Whether both are of the same numbers.
+    /// Whether both were computed from the same numbers.
     pub const fn matches(self, other: Self) -> bool {
         self.known && other.known && self.hash == other.hash
     }
@@ -99,7 +100,7 @@ mod tests {
             changed[k] += 2.0 * S::RESOLUTION;
             assert!(!print.matches(of::<S>(&changed)), "number {k}");
         }
-        // changes of all numbers at once, which a weaker hash would take for none
+        // simultaneous changes of all numbers, which a weaker hash would not detect
         let all = |change: fn(f64) -> f64| of::<S>(&numbers.map(change));
         for (what, changed) in
             [("sign", all(|x| -x)), ("place", all(|x| x + 1.0)), ("size", all(|x| 2.0 * x)), ("all", all(|_| 0.0))]

@@ -1,4 +1,4 @@
-//! What can be read off a sheet: strain, energy, momentum, bounds, digest. Nothing here changes it.
+//! Measurements of a sheet: strain, energy, momentum, bounds, digest. None of them changes it.
 
 mod intersections;
 
@@ -11,16 +11,16 @@ use crate::scalar::Scalar;
 use crate::units::Units;
 use crate::vec3::Vec3;
 
-/// By how much links differ from their rest length, `||d|/L − 1|`.
+/// The relative difference between links and their rest lengths, `||d|/L − 1|`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Strain<S> {
-    /// The largest of all links.
+    /// The largest strain of all links.
     pub largest: S,
-    /// The root of the mean square.
+    /// The root mean square of all strains.
     pub rms: S,
 }
 
-/// The strain of all springs of `links`. In fixed point, a stretch beyond the largest number counts as that.
+/// The strain of all springs of `links`. In fixed point, a stretch beyond the largest number counts as that number.
 pub fn strain<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     particles: &Particles<S, W, H>,
     links: &L,
@@ -58,7 +58,7 @@ impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Meter<'_, S, W, 
     }
 }
 
-/// The [`largest`](Strain::largest) strain alone, for boards: by two roots a family instead of one a link.
+/// The [`largest`](Strain::largest) strain alone, for boards: it takes two roots per family instead of one per link.
 pub fn largest_strain<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     particles: &Particles<S, W, H>,
     links: &L,
@@ -84,7 +84,7 @@ impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Extremes<'_, S, 
     #[inline(always)]
     fn links(&mut self, family: &Family<S>, order: impl Order) {
         let rest = family.rest.length;
-        // a chain has no links across, and their rest length is nothing
+        // a chain has no links across, and their rest length is zero
         let mut squares: Option<[S::Product; 2]> = None;
         order.each::<W, H>(|a, b| {
             let square = (self.particles.position.at(b) - self.particles.position.at(a)).squared();
@@ -100,7 +100,7 @@ impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Extremes<'_, S, 
     }
 }
 
-/// By how much a length differs from a rest length.
+/// The relative difference between a length and a rest length.
 #[inline(always)]
 fn strain_of<S: Scalar>(length: S, rest: S) -> S {
     (length - rest).divide(rest).abs()
@@ -112,7 +112,7 @@ pub fn kinetic_energy<S: Scalar, const W: usize, const H: usize>(particles: &Par
     free(particles).map(|(mass, _, v)| 0.5 * mass * units.mass * dot(v, v) * speed * speed).sum()
 }
 
-/// The potential energy of the free particles in a field of `gravity` (m/s²) against the origin, J.
+/// The potential energy of the free particles in a field of `gravity` (m/s²), relative to the origin, J.
 pub fn gravitational_energy<S: Scalar, const W: usize, const H: usize>(
     particles: &Particles<S, W, H>,
     units: &Units,
@@ -161,7 +161,7 @@ pub fn momentum<S: Scalar, const W: usize, const H: usize>(particles: &Particles
     free(particles).fold([0.0; 3], |sum, (mass, _, v)| core::array::from_fn(|k| sum[k] + mass * v[k] * scale))
 }
 
-/// The least distance of two particles that are two or more columns or rows apart in the sheet, m; infinite where there are none. It looks at every pair.
+/// The smallest distance between two particles that are two or more columns or rows apart in the sheet, m; infinite if there are none. It tests every pair.
 pub fn closest<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, units: &Units) -> f64 {
     let mut least = f64::INFINITY;
     for a in Grid::<S, W, H>::nodes() {
@@ -194,7 +194,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The corners of the smallest upright box around a sheet, cells.
+/// The corners of the smallest axis-aligned box around a sheet, cells.
 pub fn bounds<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>) -> [Vec3<S>; 2] {
     let first = particles.position.0[0].at(0);
     particles.position.values().fold([first; 2], |[low, high], x| {
@@ -211,8 +211,8 @@ pub fn is_finite<S: Scalar, const W: usize, const H: usize>(particles: &Particle
     vectors.all(|v| v.x.is_finite() && v.y.is_finite() && v.z.is_finite())
 }
 
-/// The 32-bit FNV-1a hash over the bits of the state: position and velocity of every particle, row by row, least significant byte first.
-/// Equal digests mean equal sheets, on any machine. Numbers that are undefined count as one.
+/// The 32-bit FNV-1a hash over the bits of the state: position and velocity of every particle, row by row, least significant byte first. Equal digests indicate
+/// equal sheets, on any processor. All undefined numbers count as the same number.
 pub fn digest<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>) -> u32 {
     let mut hash = 0x811c_9dc5_u32;
     for node in Grid::<S, W, H>::nodes() {
@@ -232,7 +232,7 @@ mod tests {
     use crate::link::{Shear, Stretch};
     use crate::scalar::{Q13, Q24};
 
-    /// Which of the undefined numbers an operation gives differs from build to build.
+    /// The NaN that an operation returns differs between builds.
     #[test]
     fn undefined_numbers_have_one_digest() {
         fn check<S: Scalar>(undefined: [S; 4], other: S) {
@@ -256,7 +256,7 @@ mod tests {
             let units = Units::sheet([W, H], [0.3, 0.2], 1e-3, 1.0 / 60.0, 4);
             let links =
                 (Stretch::<S>::new(&units, units.stiffness(1.0)), Shear::<S>::new(&units, units.stiffness(1.0)));
-            // shrunk to a point and further, at rest, and stretched by far
+            // shrunk to a point and inverted, at rest, and stretched far
             for scale in [0.0, -0.4, 0.97, 1.0, 1.02, 3.0] {
                 let mut particles = Particles::<S, W, H>::BLANK;
                 for (k, node) in Grid::<S, W, H>::nodes().enumerate() {

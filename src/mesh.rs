@@ -1,8 +1,8 @@
-//! A sheet as graphics engines take it: positions and normals in `f32`, triangles, texture coordinates.
+//! A sheet in the form that graphics engines use: positions and normals in `f32`, triangles, texture coordinates.
 //!
-//! [`Mesh`] keeps the numbers of a frame in flat slices, ready to be copied into a vertex buffer; its [triangles](Mesh::triangles) and
-//! [texture coordinates](Mesh::texture) never change. Vertices are the particles, row by row. Where a buffer is at hand, the iterators [`positions`] and [`normals`]
-//! do without a mesh.
+//! [`Mesh`] stores the numbers of a frame in flat slices, ready to be copied into a vertex buffer; its [triangles](Mesh::triangles) and [texture
+//! coordinates](Mesh::texture) never change. Vertices are the particles, row by row. To fill an existing buffer, use the iterators [`positions`] and
+//! [`normals`] without a mesh.
 //!
 //! ```
 //! use kerchief::{Cloth, Mesh, Q24, Units};
@@ -19,10 +19,11 @@
 //! assert_eq!((INDICES.len(), INDICES[0]), (2 * 15 * 15, [0, 1, 16]));
 //! ```
 //!
-//! Axes are the scene's: x to the right, y away from the viewer, z up, which is right-handed. An engine whose y points up, as three.js or glTF, takes (x, z, −y).
+//! Axes are the scene's: x to the right, y away from the viewer, z up, which is right-handed. For an engine whose y axis points up, such as three.js or glTF,
+//! pass (x, z, −y).
 //!
-//! Seen from the front of the sheet, triangles turn against the clock. The front of a [laid](crate::Cloth::lay) sheet looks up, that of a
-//! [hung](crate::Cloth::hang) one along y; it is the side whose pattern `render::Look` calls `front`.
+//! Seen from the front of the sheet, the corners of triangles are in counter-clockwise order. The front of a [laid](crate::Cloth::lay) sheet faces up, that of
+//! a [hung](crate::Cloth::hang) sheet faces along y. It is the side whose pattern `render::Look` calls `front`.
 
 use crate::grid::{Grid, Node};
 use crate::particles::Particles;
@@ -30,38 +31,38 @@ use crate::scalar::Scalar;
 use crate::units::Units;
 use crate::vec3::Vec3;
 
-/// The vertices of a sheet of `W × H` particles in a frame.
+/// The vertices of a sheet of `W × H` particles in one frame.
 ///
-/// Memory: 24 bytes a particle.
+/// Memory: 24 bytes per particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mesh<const W: usize, const H: usize> {
-    /// Where the particles are, m.
+    /// The positions of the particles, m.
     pub positions: Grid<[f32; 3], W, H>,
-    /// Unit normals of the front; zero where all triangles around a particle have no area.
+    /// Unit normals of the front; zero if all triangles around a particle have no area.
     pub normals: Grid<[f32; 3], W, H>,
 }
 
 impl<const W: usize, const H: usize> Mesh<W, H> {
-    /// Nothing but zeros.
+    /// All zeros.
     pub const BLANK: Self = Self { positions: Grid::filled([0.0; 3]), normals: Grid::filled([0.0; 3]) };
 
     /// The number of triangles: two for each cell, none for a chain.
     pub const TRIANGLES: usize = 2 * (W - 1) * (H - 1);
 
-    /// Takes the vertices over from a sheet.
+    /// Copies the vertices from a sheet.
     pub fn update<S: Scalar>(&mut self, particles: &Particles<S, W, H>, units: &Units) {
         self.positions.values_mut().zip(positions(particles, units)).for_each(|(kept, new)| *kept = new);
         self.normals.values_mut().zip(normals(particles)).for_each(|(kept, new)| *kept = new);
     }
 
-    /// The corners of the triangles as numbers of vertices, cell by cell.
+    /// The corners of the triangles as indices of vertices, cell by cell.
     ///
     /// A sheet of more than 65 536 particles does not compile.
     pub fn triangles() -> impl Iterator<Item = [u16; 3]> {
         (0..Self::TRIANGLES).map(Self::triangle)
     }
 
-    /// The same as an array, also in a constant: the number of triangles is `N`, or it does not compile.
+    /// [`triangles`](Self::triangles) as an array, also in a constant. It compiles only if `N` is the number of triangles.
     pub const fn indices<const N: usize>() -> [[u16; 3]; N] {
         const { assert!(N == Self::TRIANGLES, "a mesh has 2·(W − 1)·(H − 1) triangles") };
         let mut indices = [[0; 3]; N];
@@ -73,9 +74,9 @@ impl<const W: usize, const H: usize> Mesh<W, H> {
         indices
     }
 
-    /// The texture coordinates of the vertices: (0, 0) is particle (0, 0), (1, 1) the last one of the last row.
+    /// The texture coordinates of the vertices: (0, 0) is particle (0, 0), (1, 1) the last particle of the last row.
     ///
-    /// A picture whose first row is its upper one, as wgpu and glTF take them, stands upright on a hung sheet.
+    /// A picture whose first row is its top row, as in wgpu and glTF, stands upright on a hung sheet.
     pub fn texture() -> impl Iterator<Item = [f32; 2]> {
         texture(W, H)
     }
@@ -95,7 +96,7 @@ pub fn positions<S: Scalar, const W: usize, const H: usize>(
     particles.position.values().map(|place| single(units.metres(place)))
 }
 
-/// The unit normals of all particles on the front, row by row: see [`normal`].
+/// The unit normals of all particles on the front, row by row: see [`normal()`].
 pub fn normals<S: Scalar, const W: usize, const H: usize>(
     particles: &Particles<S, W, H>,
 ) -> impl Iterator<Item = [f32; 3]> {
@@ -106,8 +107,8 @@ pub fn normals<S: Scalar, const W: usize, const H: usize>(
     })
 }
 
-/// The corners of the triangles of a sheet whose size is known at run time, as numbers of particles, row by row: of each cell (p, q, s) and (q, t, s), where q is to the
-/// right of p, s below it and t below q. The [wind](crate::FacetWind) blows on the same triangles.
+/// The corners of the triangles of a sheet whose size is known at run time, as indices of particles, row by row. Each cell has the triangles (p, q, s) and (q,
+/// t, s), where q is to the right of p, s below it and t below q. The [wind](crate::FacetWind) acts on the same triangles.
 pub fn triangles(columns: usize, rows: usize) -> impl Iterator<Item = [usize; 3]> {
     let count = 2 * columns.saturating_sub(1) * rows.saturating_sub(1);
     (0..count).map(move |index| triangle(columns, index))
@@ -119,14 +120,15 @@ pub fn texture(columns: usize, rows: usize) -> impl Iterator<Item = [f32; 2]> {
     (0..rows).flat_map(move |row| (0..columns).map(move |column| [part(column, columns), part(row, rows)]))
 }
 
-/// The unit normal of a particle on the front of a sheet of `[columns, rows]` particles, given the way from it to any neighbour, `edge`.
+/// The unit normal of a particle on the front of a sheet of `[columns, rows]` particles; `edge` gives the vector from it to any neighbour.
 ///
-/// It is the mean of the normals of the triangles around the particle, weighted by their areas. Zero where there is no triangle, none with an area, or a number is not finite.
+/// It is the mean of the normals of the triangles around the particle, weighted by their areas. Zero if there is no triangle, if none has an area, or if a
+/// number is not finite.
 pub fn normal([columns, rows]: [usize; 2], node: Node, edge: impl Fn(Node) -> [f64; 3]) -> [f64; 3] {
     let Node { column, row } = node;
     let (left, right) = (column > 0, column + 1 < columns);
     let (above, below) = (row > 0, row + 1 < rows);
-    // the neighbours around the particle, against the clock: two that follow each other make a triangle with it
+    // the neighbours around the particle, counter-clockwise: two consecutive ones form a triangle with it
     let ring = [
         right.then(|| Node::new(column + 1, row)),
         below.then(|| Node::new(column, row + 1)),
@@ -202,7 +204,7 @@ mod tests {
         positions_are_in_metres::<Q13>(3e-7);
     }
 
-    /// On a cylinder those of inner particles are radial, by symmetry of the triangles around them.
+    /// On a cylinder the normals of inner particles are radial, by symmetry of the triangles around them.
     #[test]
     fn normals_are_those_of_the_front() {
         let cloth = bent::<f64>();
@@ -230,7 +232,7 @@ mod tests {
     #[test]
     fn normals_are_weighted_by_area() {
         let edges = [[2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]];
-        // of the middle one of 3 × 2 particles: right, below and left
+        // the edges of the middle one of 3 × 2 particles: right, below and left
         let edge = |node: Node| match (node.column, node.row) {
             (2, 0) => edges[0],
             (1, 1) => edges[1],

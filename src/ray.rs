@@ -1,6 +1,7 @@
-//! What is under a pixel: a ray, the triangle that it hits, the particle next to it.
+//! Picking by a ray: the triangle that it hits, and the particle nearest to the hit.
 //!
-//! `Camera::ray` (feature `graphics`) makes the ray of a pixel; [`Ray::new`] takes that of any other camera. A [`Hand`](crate::Hand) then drags what was hit:
+//! `Camera::ray` (feature `graphics`) makes the ray of a pixel; [`Ray::new`] makes the ray of any other camera. A [`Hand`](crate::Hand) can then drag the
+//! particle that was hit:
 //!
 //! ```
 //! # #[cfg(feature = "graphics")]
@@ -29,44 +30,44 @@ use crate::scalar::Scalar;
 use crate::units::Length;
 use crate::vec3::Vec3;
 
-/// The half of a straight line that begins at an eye.
+/// A half-line that starts at the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray<S> {
     /// A point on the line, cells. Not the eye, which may be beyond the range of fixed point.
     through: Vec3<S>,
     /// A unit vector away from the eye.
     forward: Vec3<S>,
-    /// Two more, across the ray and each other.
+    /// Two more unit vectors, perpendicular to the ray and to each other.
     across: [Vec3<S>; 2],
-    /// Where the ray begins, cells forward of `through`.
+    /// The start of the ray, cells forward of `through`.
     start: S,
 }
 
-/// Where a ray hits a sheet first.
+/// The first point at which a ray hits a sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<S> {
     /// The corners of the triangle.
     pub corners: [Node; 3],
-    /// The place in the triangle: each corner's part of it, from 0 to 1, together 1.
+    /// The hit's position in the triangle: the weights of the corners, each from 0 to 1, with the sum 1.
     pub weights: [S; 3],
-    /// The place in the scene, cells.
+    /// The hit's position in the scene, cells.
     pub position: Vec3<S>,
 }
 
 impl<S: Scalar> Hit<S> {
-    /// The particle next to the place.
+    /// The corner with the largest weight: the particle nearest to the hit.
     pub fn node(&self) -> Node {
         let nearer = |a: usize, b: usize| if self.weights[b] > self.weights[a] { b } else { a };
         self.corners[nearer(nearer(0, 1), 2)]
     }
 }
 
-/// A place as seen along a ray.
+/// A position relative to a ray.
 #[derive(Clone, Copy)]
 struct Seen<S> {
-    /// From the line, cells.
+    /// Offset from the line, cells.
     aside: [S; 2],
-    /// Forward, cells.
+    /// Distance along the ray, cells.
     depth: S,
 }
 
@@ -74,17 +75,17 @@ impl<S: Scalar> Ray<S> {
     /// The ray from a point (cells) in a direction of any length.
     ///
     /// # Panics
-    /// For a direction of no length.
+    /// If the direction has no length.
     #[track_caller]
     pub fn new(from: Vec3<S>, direction: Vec3<S>) -> Self {
         Self::line(from, direction, S::ZERO)
     }
 
-    /// The line through a point, from `start` cells forward of it.
+    /// The line through a point; the ray starts `start` cells forward of it.
     #[track_caller]
     pub(crate) fn line(through: Vec3<S>, direction: Vec3<S>, start: S) -> Self {
         let forward = unit(direction);
-        // the axis that is most across the ray
+        // the coordinate axis nearest to a perpendicular of the ray
         let [x, y, z] = [forward.x, forward.y, forward.z].map(S::abs);
         let axis = if x <= y && x <= z {
             Vec3::new(S::ONE, S::ZERO, S::ZERO)
@@ -102,15 +103,14 @@ impl<S: Scalar> Ray<S> {
         self.forward
     }
 
-    /// The point of the whole line that is nearest to `point` (cells): where what is dragged goes when the ray moves on.
+    /// The point of the whole line nearest to `point` (cells): the target of a dragged particle when the ray moves.
     pub fn foot(&self, point: Vec3<S>) -> Vec3<S> {
         self.through + self.forward * point.difference(self.through).dot(self.forward)
     }
 
-    /// The place of a sheet that the ray hits first, from either side; nothing where it hits none. A chain has no triangle to be hit: ask for the
-    /// [nearest](Self::nearest) particle.
+    /// The first hit of the ray on a sheet, from either side; `None` if there is none. A chain has no triangles: use [`nearest`](Self::nearest).
     ///
-    /// Every triangle is looked at. No ray passes between two of them.
+    /// Every triangle is tested. No ray passes between two of them.
     pub fn hit<const W: usize, const H: usize>(&self, particles: &Particles<S, W, H>) -> Option<Hit<S>> {
         let mut first: Option<(S, [Node; 3], [S; 3])> = None;
         for row in 1..H {
@@ -134,7 +134,7 @@ impl<S: Scalar> Ray<S> {
         })
     }
 
-    /// The particle that a pointer means: the one next to the place that is hit, or else the [nearest](Self::nearest).
+    /// The particle that a pointer selects: the one nearest to the hit, or without a hit the one [nearest](Self::nearest) to the ray.
     pub fn pick<const W: usize, const H: usize>(&self, particles: &Particles<S, W, H>, within: Length) -> Option<Node> {
         self.hit(particles).map(|hit| hit.node()).or_else(|| self.nearest(particles, within))
     }
@@ -171,15 +171,15 @@ fn unit<S: Scalar>(vector: Vec3<S>) -> Vec3<S> {
     vector.map(|component| component.divide(length))
 }
 
-/// The part of each corner in the origin, which lies within the triangle or on its edge; nothing where it doesn't.
+/// The weights of the corners for the origin, if it lies within the triangle or on its edge; otherwise `None`.
 fn weights<S: Scalar>([a, b, c]: [[S; 2]; 3]) -> Option<[S; 3]> {
     around([a, b, c]).or_else(|| around([a, c, b]).map(|[a, c, b]| [a, b, c]))
 }
 
-/// The same for corners that turn against the clock.
+/// [`weights`] for corners in counter-clockwise order.
 fn around<S: Scalar>([a, b, c]: [[S; 2]; 3]) -> Option<[S; 3]> {
-    // twice the area of the triangle of two corners and the origin, added to a sum: exact in fixed point, and of the same size for
-    // the triangle on the other side of an edge, so that there is no gap between them
+    // adds twice the area of the triangle of two corners and the origin to a sum: exact in fixed point, and of equal size for the triangle on the other side of
+    // an edge, so that there is no gap between them
     let add =
         |sum: S::Sum, [x, y]: [S; 2], [u, v]: [S; 2]| S::accumulate(S::accumulate(sum, x.product(v)), (-y).product(u));
     let parts = [add(S::EMPTY, b, c), add(S::EMPTY, c, a), add(S::EMPTY, a, b)];
@@ -217,7 +217,7 @@ mod tests {
             for (x, y, z) in [(0.0, 0.0, 5.0), (2.0, -3.0, 4.0), (-1.0, 2.0, -6.0), (40.0, 30.0, 50.0)] {
                 let ray = Ray::<S>::new(vector([column + x, row + y, 1.0 + z]), vector([-x, -y, -z]));
                 let expected = [column, row, 1.0];
-                // on an edge of the sheet rounding decides
+                // on the sheet's border rounding decides
                 let inner = column > 0.0 && column < 5.0;
                 let Some(hit) = ray.hit(&cloth) else {
                     assert!(!inner, "{expected:?} in {}", S::NAME);
@@ -247,7 +247,7 @@ mod tests {
         hits_are_where_the_ray_goes::<Q13>(2e-5);
     }
 
-    /// Rays through the edges between triangles, and through the particles between six of them.
+    /// Rays through the edges between triangles, and through particles at which six triangles meet.
     #[test]
     fn no_ray_passes_between_triangles() {
         fn check<S: Scalar>() {
@@ -284,10 +284,10 @@ mod tests {
             let at = |height: f64, down: f64| Ray::new(vector([0.8, 2.3, height]), vector([0.0, 0.0, down]));
             assert_eq!(at(9.0, -1.0).hit(&cloth).unwrap().node(), Node::new(4, 2));
             assert_eq!(at(-9.0, 1.0).hit(&cloth).unwrap().node(), Node::new(1, 2));
-            // between them, up and down
+            // from between the layers, up and down
             assert_eq!(at(1.5, 1.0).hit(&cloth).unwrap().node(), Node::new(4, 2));
             assert_eq!(at(1.5, -1.0).hit(&cloth).unwrap().node(), Node::new(1, 2));
-            // behind the eye is nothing
+            // no layer is in front of the eye
             assert_eq!(at(2.5, 1.0).hit(&cloth), None);
         }
         check::<f64>();

@@ -1,8 +1,8 @@
-//! When nothing moves, nothing is computed.
+//! A sheet at rest is not computed.
 //!
-//! [`Resting`] is a solver around another one. It lets the other one move the sheet until the sheet is still. From then on it only looks whether
-//! any input changed since: position, velocity or mass of a particle, a force, a link, a collider. If so, the other solver goes on from where it
-//! was, with that same frame. A sheet at rest keeps its bits; what a scene does not wrap costs nothing.
+//! [`Resting`] is a solver that wraps another solver. It lets the wrapped solver move the sheet until the sheet is still. From then on it only checks whether
+//! any input changed since: position, velocity or mass of a particle, a force, a link, a collider. If so, the wrapped solver continues from its state with that
+//! same frame. A sheet at rest keeps its bits. A scene without this wrapper pays nothing for it.
 //!
 //! ```
 //! use kerchief::rest::{Resting, Stillness};
@@ -23,18 +23,18 @@
 //! assert!(!memory.is_at_rest());
 //! ```
 //!
-//! A frame at rest looks at the scene, not at the particles, and costs less than a hundredth of the cheapest that moves the sheet, however large it is. It is the
-//! [`Cloth`] that notices when it may have been written to: by anybody who takes its particles with `&mut`. They are then compared, once, with what they were, so that what
-//! is written over with itself sleeps on, and a sheet that is put in another's place does not.
+//! A frame at rest reads the scene, not the particles. It costs less than a hundredth of the cheapest frame that moves the sheet, for any size. The [`Cloth`]
+//! notices possible changes: every `&mut` access to its particles counts as one. The particles are then compared once with their earlier state. A sheet
+//! overwritten with equal values stays at rest; a sheet replaced by another one does not.
 //!
-//! A frame that leaves the sheet where it was need not be drawn again: that is one with [`RestingMemory::is_at_rest`] before and after it.
+//! A frame that does not move the sheet need not be drawn again: [`RestingMemory::is_at_rest`] is true before and after it.
 //!
-//! A sheet rests as a whole. While any of it moves, few rows are still between two others that are (slower than 1 % of the sheet's size a second): 3 % in the
-//! curtain, 2 % in the drape, 7 and 20 % in the last seconds of the thesis' sheets on a ball and on three corners. And columns, diagonals and multipliers run
-//! through all of them: to leave rows out would change what the others do.
+//! A sheet rests as a whole. While any part of it moves, few rows are still between two other still rows (slower than 1 % of the sheet's size a second): 3 % in
+//! the curtain, 2 % in the drape, 7 and 20 % in the last seconds of the thesis' sheets on a ball and on three corners. Moreover columns, diagonals and
+//! multipliers couple all rows: to skip some would change the others' motion.
 //!
-//! Forces, links and colliders of one's own keep the sheet awake unless they tell what they consist of
-//! ([`Force::fingerprint`], [`Links::fingerprint`], [`Collider::fingerprint`]); a ball that travels keeps it awake too.
+//! Forces, links and colliders of your own keep the sheet awake unless they implement a fingerprint ([`Force::fingerprint`], [`Links::fingerprint`],
+//! [`Collider::fingerprint`]). A moving ball keeps it awake, too.
 
 use core::cmp::Ordering;
 
@@ -52,19 +52,19 @@ use crate::solver::{Physics, Solver};
 use crate::units::Units;
 use crate::vec3::Vec3;
 
-/// What counts as still. For `time`
+/// The criteria of stillness. For `time`
 /// * no particle is faster than `speed` along any axis,
 /// * the speed of the fastest one changes by less than `acceleration · time`,
-/// * no particle gets further along any axis than `speed · time / 10` from where it was when that time began,
+/// * no particle gets further along any axis than `speed · time / 10` from its position at the start of that time,
 /// * and no pin moves, however slowly.
 ///
-/// The speed alone would freeze a sheet where it turns back in a slow swing, or where it begins to fall: there it is accelerated. And it would freeze one that
-/// sinks slowly in thick air: its motion is steady and goes somewhere, while a sheet that trembles stays where it is. So what is frozen is a swing that is never
-/// much faster than `speed`, a fall by less than `acceleration`, and a steady motion slower than a tenth of `speed`.
+/// The speed alone would freeze a sheet at the turning point of a slow swing, or at the start of a fall: there it is accelerated. It would also freeze a sheet
+/// that sinks slowly in thick air: its motion is steady and leads away, while a sheet that vibrates stays in place. So these motions are frozen: a swing that
+/// is never much faster than `speed`, a fall by less than `acceleration`, and a steady motion slower than a tenth of `speed`.
 ///
-/// Where rounding moves a sheet by more, thresholds are as large as that. The speeds are at least 8 of the steps in which the number type
-/// [measures links](Scalar::EDGE) in each substep, of 16 at most, which matters to [`Q13`](crate::Q13); and the distance is at
-/// least 1/2048 cell in `Q24` and 1/1024 in `Q13`.
+/// If rounding moves a sheet by more, the thresholds are raised accordingly. The speeds are at least 8 of the steps in which the number type [measures
+/// links](Scalar::EDGE) in each substep, counting 16 substeps at most; this matters for [`Q13`](crate::Q13). The distance is at least 1/2048 cell in `Q24` and
+/// 1/1024 in `Q13`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stillness {
     /// m/s, positive
@@ -76,24 +76,24 @@ pub struct Stillness {
 }
 
 impl Stillness {
-    /// 1 mm/s and 1 mm/s² (a ten-thousandth of a weight) for half a second, in which nothing gets further than 0.05 mm: 0.1 mm/s, if it is steady.
-    /// Larger values freeze what can be seen to move; with much smaller ones a sheet that is moved by rounding alone never rests.
+    /// 1 mm/s and 1 mm/s² (a ten-thousandth of gravity) for half a second, during which no particle moves further than 0.05 mm: 0.1 mm/s for a steady motion. Larger
+    /// values freeze visible motion; with much smaller ones a sheet that moves by rounding alone never rests.
     pub const DEFAULT: Self = Self { speed: 1e-3, acceleration: 1e-3, time: 0.5 };
 }
 
-/// A solver that stops when the sheet is still.
+/// A solver that stops while the sheet is still.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resting<V> {
-    /// What moves the sheet.
+    /// The wrapped solver.
     pub solver: V,
     threshold: Threshold,
 }
 
 impl<V> Resting<V> {
-    /// `solver`, until the sheet is as still as `stillness` in these units.
+    /// `solver`, active until the sheet is as still as `stillness` in these units.
     ///
     /// # Panics
-    /// At compile time in a constant: as [`Threshold::new`].
+    /// At compile time in a constant, like [`Threshold::new`].
     #[track_caller]
     pub const fn new(units: &Units, stillness: Stillness, solver: V) -> Self {
         Self { solver, threshold: Threshold::new(units, stillness) }
@@ -107,23 +107,24 @@ pub struct Threshold {
     pub(crate) speed: f64,
     /// The change of speed, cells per tick.
     pub(crate) change: f64,
-    /// The parts of a cell in which places are compared: a particle may get four of them away.
+    /// Grains per cell, the steps in which positions are compared: a particle may move by four of them.
     pub(crate) grains: i32,
-    /// How long, frames.
+    /// The duration, frames.
     pub(crate) frames: u32,
 }
 
-/// How many grains make the distance that counts as motion. Of each coordinate a byte is kept: at rest's speeds no frame goes as far as would bring it round.
+/// The number of grains in the distance that counts as motion. A byte of each coordinate is stored: at the speeds of rest no frame moves a particle by the
+/// byte's range.
 const GRAINS: i32 = 4;
 
-/// By how many [steps of a link's length](Scalar::EDGE) a sheet may tremble in a substep.
+/// The allowed vibration of a sheet in a substep, in [steps of a link's length](Scalar::EDGE).
 const TREMBLE: f64 = 8.0;
 
-/// The most substeps of which each adds its tremble to a speed, as a power of two. With more a particle could go round a byte in a frame.
+/// Limit on the substeps that add their vibration to the speed threshold, as a power of two. With more, a particle could move by a byte's range in a frame.
 const SHAKEN: u32 = 4;
 
 impl Threshold {
-    /// The nearest threshold; a frame at least.
+    /// The nearest threshold, of one frame at least.
     ///
     /// # Panics
     /// At compile time in a constant: for a stillness that is not positive and finite.
@@ -148,7 +149,7 @@ impl Threshold {
         }
     }
 
-    /// Lets `solver` move the sheet by a frame, unless it is at rest.
+    /// Moves the sheet by a frame with `solver`, unless it is at rest.
     #[inline]
     pub fn frame<S: Scalar, V: Solver<S>, F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
@@ -193,7 +194,7 @@ impl Threshold {
     }
 }
 
-/// What a solver remembers, since when its sheet is still, and three bytes a particle of where that was.
+/// A solver's memory, the stillness so far, and three bytes per particle for its position at the start of the stillness.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RestingMemory<M, S, const W: usize, const H: usize> {
@@ -203,23 +204,23 @@ pub struct RestingMemory<M, S, const W: usize, const H: usize> {
 }
 
 impl<M, S: Scalar, const W: usize, const H: usize> RestingMemory<M, S, W, H> {
-    /// The memory of a sheet in motion. In a constant too, for a `static` of a board.
+    /// The memory of a sheet in motion. It is also valid in a constant, for a `static` on a board.
     pub const fn new(solver: M) -> Self {
         Self { solver, watch: Watch::AWAKE, places: Places(Grid::filled([0; 3])) }
     }
 
-    /// What the solver remembers, to move the sheet without this: it then counts as in motion.
+    /// The wrapped solver's memory, to move the sheet without this wrapper: the sheet then counts as in motion.
     pub const fn solver(&mut self) -> &mut M {
         self.watch = Watch::AWAKE;
         &mut self.solver
     }
 
-    /// What the solver remembers, to look at.
+    /// The wrapped solver's memory, read-only.
     pub const fn inner(&self) -> &M {
         &self.solver
     }
 
-    /// Whether the last frame ended at rest: the next one is not computed if nothing changes.
+    /// Whether the last frame ended at rest: the next one is not computed unless an input changes.
     pub const fn is_at_rest(&self) -> bool {
         self.watch.at_rest
     }
@@ -228,18 +229,18 @@ impl<M, S: Scalar, const W: usize, const H: usize> RestingMemory<M, S, W, H> {
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct Watch<S> {
-    /// For how many frames the sheet has been still.
+    /// The number of frames for which the sheet has been still.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "countable"))]
     frames: u32,
-    /// All that surrounds the sheet; at rest the sheet too.
+    /// The fingerprint of forces, links and colliders; at rest of the sheet, too.
     seen: Fingerprint,
-    /// The speed of the fastest particle in these frames, cells per tick.
+    /// The least and the largest speed of the fastest particle in these frames, cells per tick.
     slowest: S,
     fastest: S,
     at_rest: bool,
 }
 
-/// A number of frames that can be counted on from.
+/// A number of frames that can be incremented.
 #[cfg(feature = "serde")]
 fn countable<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
     let frames = serde::Deserialize::deserialize(deserializer)?;
@@ -251,7 +252,7 @@ impl<S: Scalar> Watch<S> {
         Self { frames: 0, seen: Fingerprint::new(), slowest: S::ZERO, fastest: S::ZERO, at_rest: false };
 }
 
-/// Where particles were, in grains, of which the lower byte tells whether they are near.
+/// Past positions in grains; the lower byte of each suffices to tell whether a particle is near.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct Places<const W: usize, const H: usize>(Grid<[u8; 3], W, H>);
@@ -282,15 +283,14 @@ fn lower_bytes<S: Scalar>(place: Vec3<S>, grains: i32) -> [u8; 3] {
     [place.x, place.y, place.z].map(|x| x.round_times(grains) as u8)
 }
 
-/// The largest speed of a particle along an axis; `None` where one is faster than `limit` or a pin moves, which in motion is one of the first that are
-/// looked at.
+/// The largest speed of a particle along an axis; `None` if one is faster than `limit` or a pin moves. In a moving sheet one of the first particles decides.
 fn fastest<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>, limit: S) -> Option<S> {
     let mut largest = S::ZERO;
     for node in Grid::<S, W, H>::nodes() {
         let Vec3 { x, y, z } = particles.velocity.at(node);
         let limit = if particles.is_pinned(node) { S::ZERO } else { limit };
         for speed in [x.abs(), y.abs(), z.abs()] {
-            // what is undefined is in no order
+            // an undefined speed compares with no number
             if speed.partial_cmp(&limit).is_none_or(|order| order == Ordering::Greater) {
                 return None;
             }
@@ -327,7 +327,7 @@ impl<S: Scalar, V: Solver<S>> Solver<S> for Resting<V> {
         self.threshold.frame(&self.solver, physics, cloth, memory, end);
     }
 
-    /// A substep alone always moves the sheet.
+    /// A single substep always moves the sheet.
     fn substep<F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,

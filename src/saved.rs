@@ -1,6 +1,6 @@
 //! Saved and restored state, by any format of [`serde`] (feature `serde`).
 //!
-//! A [`Cloth`] and the memory of its solver, [`Resting`](crate::Resting)'s included, are all that a scene changes in a step: restored together they go on with the same bits.
+//! A step changes only the [`Cloth`] and the memory of its solver, [`Resting`](crate::Resting)'s included. Restored together they continue with the same bits.
 //!
 //! ```
 //! use kerchief::*;
@@ -23,13 +23,14 @@
 //! # Ok::<(), postcard::Error>(())
 //! ```
 //!
-//! Whatever else changes while a scene runs, as a ball that moves or a [`Hand`](crate::Hand), is the caller's to save: their fields are numbers, [`Vec3`] and [`Node`]. Fixed point
-//! is saved as its bits, a whole number of 2⁻²⁴.
+//! Other state that changes while a scene runs, such as a moving ball or a [`Hand`](crate::Hand), must be saved by the caller: its fields are numbers, [`Vec3`]
+//! and [`Node`]. A fixed-point number is saved as its bits, a whole number of 2⁻²⁴.
 //!
 //! # Errors
 //!
-//! What could not have been saved is refused, so that a step still cannot fail: a sheet of another size, a number that is not finite, a negative mass, counters that no solver counts
-//! to. So is an exploded sheet. Values have the solver's parameters in them: a memory belongs to the scene that it was saved from, and to the version of this crate.
+//! Values that cannot have been saved are rejected, so that a step still cannot fail: a sheet of another size, a number that is not finite, a negative mass,
+//! counters beyond the range of every solver. An exploded sheet is rejected for the same reason. The values include the solver's parameters: a memory belongs
+//! to the scene that it was saved from, and to the version of this crate.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -44,7 +45,7 @@ use crate::scalar::{Fixed24, Scalar};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-/// Values on a grid, with its size: a format that does not name what it holds would take the rows of another size for its own.
+/// Values on a grid, with its size. Without the size, a format without field names would accept the rows of a grid of another size.
 #[derive(serde::Serialize, serde::Deserialize)]
 struct Sheet<V> {
     columns: usize,
@@ -52,7 +53,7 @@ struct Sheet<V> {
     values: V,
 }
 
-/// The values of `count` places, each given by its number.
+/// The values of `count` nodes, computed from their index.
 struct Each<F> {
     count: usize,
     value: F,
@@ -165,7 +166,7 @@ impl<'de, K> Deserialize<'de> for Fixed24<K> {
     }
 }
 
-/// Particles as they are written.
+/// The serialised form of particles.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[serde(rename = "Particles")]
 struct Written<V, G> {
@@ -207,7 +208,7 @@ impl<'de, S: Scalar + Deserialize<'de>, const W: usize, const H: usize> Deserial
     }
 }
 
-/// Vectors all of which are finite.
+/// Vectors with finite components only.
 pub(crate) fn finite<'de, D: Deserializer<'de>, S: Scalar + Deserialize<'de>, const W: usize, const H: usize>(
     deserializer: D,
 ) -> Result<Vectors<S, W, H>, D::Error> {

@@ -1,7 +1,7 @@
 //! Numbers: `f32`, `f64` and fixed point behind one trait.
 //!
-//! This is the only module that knows a number's bits. Everything above it computes with [`Scalar`], in the sheet's own units
-//! (see [`Units`](crate::Units)), so that lengths are near one and fixed point loses nothing.
+//! This is the only module that depends on the bits of a number. All modules above it compute with [`Scalar`], in the sheet's own units (see
+//! [`Units`](crate::Units)), so that lengths are near one and fixed point keeps its precision.
 //!
 //! Only `+ − × ÷` and the square root are used, each rounded once and always in the same order, so every number type gives the same
 //! bits on every target.
@@ -20,7 +20,7 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 pub use fixed24::{Fixed24, Q13, Q24};
 pub use rounding::Rounding;
 
-/// A number that a sheet can be computed in.
+/// A number type for the computation of a sheet.
 ///
 /// Implemented for `f32`, `f64`, [`Q24`] and [`Q13`].
 pub trait Scalar:
@@ -46,40 +46,40 @@ pub trait Scalar:
     const ONE: Self;
     /// One half.
     const HALF: Self;
-    /// The largest magnitude that the type holds.
+    /// The largest magnitude that the type represents.
     const LARGEST: f64;
     /// The spacing of numbers just above one.
     const RESOLUTION: f64;
-    /// The steps in which the type measures a link some cells from the origin, cells: by a few of them a sheet at rest trembles.
+    /// The steps of a link's measured length some cells from the origin, cells. A sheet at rest vibrates by a few of them.
     const EDGE: f64;
-    /// How far rounding carries a sheet that is as good as at rest, cells. In fixed point drag does not slow the last 1/(2·γ·h) places of a velocity.
+    /// The distance by which rounding moves a sheet practically at rest, cells. In fixed point drag does not slow the last 1/(2·γ·h) places of a velocity.
     const STRAY: f64;
 
-    /// Whether sums and differences are exact, and wrap beyond the range: those of fixed point. Then no order of adding loses a digit, and a few last places are nothing but
-    /// round-off.
+    /// Whether sums and differences are exact and wrap beyond the range, as in fixed point. Then no order of additions loses digits, and a value of a few last
+    /// places is only round-off.
     const EXACT_SUMS: bool = false;
-    /// Whether looking if a factor is 0 or 1 costs less than a product.
+    /// Whether testing a factor for 0 or 1 costs less than a product.
     const LOOKING_PAYS: bool = false;
-    /// The least softness 1/κ beside which the inertia of a particle is resolved.
+    /// The smallest softness 1/κ beside which the inertia of a particle is resolved.
     const LEAST_SOFTNESS: f64 = 1e-6;
-    /// A [divisor](Self::divisor) that leaves nothing of a number.
+    /// The [divisor](Self::divisor) with which every quotient is zero.
     const INFINITE_DIVISOR: Self;
 
     /// A product of two numbers, wide enough for three of them to be added without overflow; exact in fixed point.
     type Product: Copy + Debug + PartialOrd + Add<Output = Self::Product>;
     /// A sum of many products, as the dot product of two whole sheets.
     type Sum: Copy + Debug + PartialOrd;
-    /// What a rest length is [prepared](Self::prepared) for besides its inverse.
+    /// Data for a rest length, [prepared](Self::prepared) besides its inverse.
     type Prepared: Copy + Debug + PartialEq + Send + Sync + 'static;
-    /// What the panels of a sheet have in common.
+    /// The constants of a sheet's panels.
     type Panel: Copy + Debug + PartialEq + Send + Sync + 'static;
 
     /// The nearest number to `value`; beyond [`LARGEST`](Self::LARGEST) fixed point saturates.
     ///
-    /// Integer arithmetic alone for fixed point: firmware links no float routine.
+    /// In fixed point by integer arithmetic alone: firmware links no float routine.
     fn from_f64(value: f64) -> Self;
 
-    /// What links of a rest length L are measured with, from 1/L and 1/L².
+    /// The data for measuring links of a rest length L, from 1/L and 1/L².
     fn prepared(inverse: Self, inverse_square: Self) -> Self::Prepared;
 
     /// A whole number; `|value| ≤ LARGEST`.
@@ -100,7 +100,7 @@ pub trait Scalar:
     #[must_use]
     fn halve(self, shift: u32) -> Self;
 
-    /// The same with ties away from zero: rounded up, many of them push a sheet aside.
+    /// `self / 2^shift`, rounded to nearest with ties away from zero. Many ties rounded up would push a sheet to one side.
     #[inline]
     #[must_use]
     fn halve_evenly(self, shift: u32) -> Self {
@@ -111,7 +111,7 @@ pub trait Scalar:
     #[must_use]
     fn rate(self, halves: u32, shift: u32) -> Self;
 
-    /// `self − other`, as of places that may be further apart than fixed point holds: then the largest number of that sign.
+    /// `self − other`, also for positions further apart than the range of fixed point: then the largest number of that sign.
     #[inline]
     #[must_use]
     fn difference(self, other: Self) -> Self {
@@ -124,48 +124,49 @@ pub trait Scalar:
         false
     }
 
-    /// Whether the number is no more than a bound that keeps what follows in the range of fixed point. Floats need none.
+    /// Whether the number is at most `bound`, which keeps subsequent results in the range of fixed point. Always true for floats, which need no bound.
     #[inline(always)]
     fn is_within(self, _bound: Self) -> bool {
         true
     }
 
-    /// The number, or a bound that keeps what follows in the range of fixed point.
+    /// The smaller of the number and `bound`, which keeps subsequent results in the range of fixed point. Floats are returned unchanged.
     #[inline(always)]
     #[must_use]
     fn bounded(self, _bound: Self) -> Self {
         self
     }
 
-    /// How often fixed point doubles a positive number until another time would make it more than `large`; how often it halves a larger one, below zero. Floats keep their
-    /// digits at any size.
+    /// The number of times that a positive number can be doubled without exceeding `large` in fixed point; for a larger number it is minus the number of halvings.
+    /// Zero for floats, which keep their digits at any size.
     #[inline(always)]
     fn headroom(self, _large: Self) -> i32 {
         0
     }
 
-    /// `self · 2^shift`: in a unit so much smaller, where fixed point has room for it. Floats keep their digits in any unit, and their unit.
+    /// `self · 2^shift`: the number in a smaller unit, for a larger range of digits in fixed point. Floats are returned unchanged, as they keep their digits in
+    /// any unit.
     #[inline(always)]
     #[must_use]
     fn in_smaller_unit(self, _shift: u32) -> Self {
         self
     }
 
-    /// `self / 2^shift`, likewise in a unit so much larger.
+    /// `self / 2^shift`: the number in a larger unit. Floats are returned unchanged.
     #[inline(always)]
     #[must_use]
     fn in_larger_unit(self, _shift: u32) -> Self {
         self
     }
 
-    /// What [`over`](Self::over) divides by: for numbers that divide by multiplying, the reciprocal.
+    /// The number prepared as a divisor for [`over`](Self::over): the reciprocal, if the type divides by multiplying.
     #[inline(always)]
     #[must_use]
     fn divisor(self) -> Self {
         self
     }
 
-    /// `self` by a [divisor](Self::divisor).
+    /// `self` divided by a [divisor](Self::divisor).
     #[inline(always)]
     #[must_use]
     fn over(self, divisor: Self) -> Self {
@@ -178,14 +179,14 @@ pub trait Scalar:
     /// A product rounded to nearest; saturates in fixed point.
     fn narrow(product: Self::Product) -> Self;
 
-    /// `self · ratio` for `|ratio| ≤ 1`, right to a part of `self`: of a small ratio [`Q13`] keeps few digits.
+    /// `self · ratio` for `|ratio| ≤ 1`, with an error relative to `self`: [`Q13`] keeps few digits of a small ratio.
     #[inline]
     #[must_use]
     fn scaled(self, ratio: Self) -> Self {
         self * ratio
     }
 
-    /// The same, rounded as told.
+    /// [`scaled`](Self::scaled) with the given rounding.
     #[inline]
     #[must_use]
     fn scaled_as(self, ratio: Self, _: Rounding) -> Self {
@@ -203,7 +204,7 @@ pub trait Scalar:
     #[must_use]
     fn divide(self, divisor: Self) -> Self;
 
-    /// `1 − L/√squares`: the part of a link's vector by which it is longer than its rest length `L`.
+    /// `1 − L/√squares`: the fraction of a link's vector by which it exceeds its rest length `L`.
     ///
     /// Multiplied by the link's vector this is its elongation as a vector. For coincident particles, which have no direction, the
     /// result is finite.
@@ -212,17 +213,17 @@ pub trait Scalar:
     /// The whole number nearest to `self · factor`, ties upward: pixels, tones, depths. The result lies within 32 bits.
     fn round_times(self, factor: i32) -> i32;
 
-    /// `256 · self` as a whole number, less than one off: what boxes are made of. The largest or least of 32 bits where they don't hold it.
+    /// `256 · self` as a whole number with an error below one, for bounding boxes. Saturates at 32 bits.
     fn coarse(self) -> i32;
 
-    /// What is done to both ends of a link d to undo `part` of its elongation, `part·(1 − L/|d|)·d`; `|part| ≤ 1`.
+    /// The correction applied to both ends of a link d, with opposite signs, to remove `part` of its elongation: `part·(1 − L/|d|)·d`; `|part| ≤ 1`.
     #[inline]
     fn correction(d: [Self; 3], rest: &Rest<Self>, part: Self, _: Rounding) -> [Self; 3] {
         let part = Self::elongation(squared(d), rest) * part;
         [d[0] * part, d[1] * part, d[2] * part]
     }
 
-    /// `|d| − L` and `d/|d|`: by how much a link is longer than its rest length, and its direction.
+    /// `|d| − L` and `d/|d|`: a link's excess over its rest length, and its direction.
     fn direction(d: [Self; 3], rest: &Rest<Self>) -> (Self, [Self; 3]);
 
     /// The cosine of the angle between two directions.
@@ -231,33 +232,33 @@ pub trait Scalar:
         Self::narrow(a[0].product(b[0]) + a[1].product(b[1]) + a[2].product(b[2]))
     }
 
-    /// `(place − origin)·normal`, as of places that may be further apart than fixed point holds.
+    /// `(place − origin)·normal`, also for points further apart than the range of fixed point.
     #[inline]
     fn height(place: [Self; 3], origin: [Self; 3], normal: [Self; 3]) -> Self {
         Self::cosine([place[0] - origin[0], place[1] - origin[1], place[2] - origin[2]], normal)
     }
 
-    /// Whether one of four vectors is shorter than `length`, or in fixed point all its components are.
+    /// Whether one of four vectors is shorter than `length`; in fixed point, whether all components of one are.
     #[inline(always)]
     fn any_shorter(vector: impl Fn(usize) -> [Self; 3], length: Self) -> bool {
-        // four numbers at once, where a machine does that
+        // four numbers at once, if the processor supports it
         let square = |lane| Self::narrow(squared(vector(lane)));
         let [a, b, c, d] = [square(0), square(1), square(2), square(3)];
         a.min(b).min(c.min(d)) < length * length
     }
 
-    /// What panels of the area A₀ at rest (cells², up to 1) have in common. Air that moves at one cell per tick against a panel of 1 cell² gives each of its
-    /// corners the velocity `pressure` in a substep.
+    /// The constants of panels of area A₀ at rest (cells², up to 1). Air that moves at one cell per tick against a panel of 1 cell² gives each of its corners
+    /// the velocity `pressure` in a substep.
     fn panel(pressure: Self, area: Self) -> Self::Panel;
 
-    /// The velocity that each corner of a panel with these diagonals a and b gains from air with this velocity relative to it: `c·n·(n·u)`, n = a×b/2,
+    /// The velocity gain of each corner of a panel with these diagonals a and b, in air of this velocity u relative to it: `c·n·(n·u)`, n = a×b/2,
     ///
     /// `c = min(pressure·|n·u|/|n|², most·min(1/A₀, 2·A₀/|n|²))`
     ///
-    /// So air takes a panel of its rest area no further than by `most·A₀` of its velocity across it, and no panel further than by twice as much. Without a root. `most` is
-    /// 3/32 or less.
+    /// So a panel of its rest area gains at most `most·A₀` of the air's velocity normal to it, and any panel at most twice as much. No root is needed. `most`
+    /// is 3/32 or less.
     ///
-    /// Nothing where there is no short way; then [`press_any`](Self::press_any) is asked.
+    /// `None` outside the range of the fast path; then call [`press_any`](Self::press_any).
     fn press(
         diagonals: [[Self; 3]; 2],
         air: [Self; 3],
@@ -265,10 +266,10 @@ pub trait Scalar:
         most: impl FnOnce() -> Self,
     ) -> Option<[Self; 3]>;
 
-    /// The same for panels of any size in any air.
+    /// [`press`](Self::press) for panels of any size in any air.
     fn press_any(diagonals: [[Self; 3]; 2], air: [Self; 3], panel: &Self::Panel, most: Self) -> [Self; 3];
 
-    /// A quarter of `self + other`, which may be more than fixed point holds.
+    /// A quarter of `self + other`; the sum may exceed the range of fixed point.
     #[inline(always)]
     #[must_use]
     fn quarter_of_sum(self, other: Self) -> Self {
@@ -287,10 +288,10 @@ pub trait Scalar:
     /// The root of the mean of `count` squares.
     fn root_mean(sum: Self::Sum, count: u32) -> Self;
 
-    /// Passes the number's bits, least significant byte first, to `hash`. Floats that are undefined pass the same ones.
+    /// Passes the number's bits, least significant byte first, to `hash`. All undefined floats pass the same bits.
     fn bits(self, hash: impl FnMut(u8));
 
-    /// The number's bits, folded into 32, as [`bits`](Self::bits) passes them.
+    /// The bits passed by [`bits`](Self::bits), folded into 32.
     fn word(self) -> u32;
 
     /// Whether the number is neither infinite nor undefined; always true in fixed point.
@@ -334,7 +335,7 @@ pub struct Rest<S: Scalar> {
     pub inverse: S,
     /// `1/length²`.
     pub inverse_square: S,
-    /// What the number type forms once, not for each link.
+    /// Data that the number type computes once for a rest length instead of for each link.
     pub prepared: S::Prepared,
 }
 

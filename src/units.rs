@@ -147,7 +147,7 @@ impl Units {
         self.frame / self.substeps as f64
     }
 
-    /// The logarithm to base 2 of the substeps in a tick: the smallest power of two that covers a frame.
+    /// The logarithm to base 2 of the substeps in a tick, which are the smallest power of two that covers a frame.
     pub const fn shift(&self) -> u32 {
         self.substeps.next_power_of_two().trailing_zeros()
     }

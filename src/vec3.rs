@@ -38,14 +38,14 @@ impl<S: Scalar> Vec3<S> {
         [self.x.to_f64(), self.y.to_f64(), self.z.to_f64()]
     }
 
-    /// The vector of each component passed through `f`.
+    /// The vector with `f` applied to each component.
     #[inline]
     #[must_use]
     pub fn map(self, f: impl Fn(S) -> S) -> Self {
         Self::new(f(self.x), f(self.y), f(self.z))
     }
 
-    /// The scalar product in full width.
+    /// The scalar product at full width.
     #[inline]
     pub(crate) fn dot_wide(self, other: Self) -> S::Product {
         self.x.product(other.x) + self.y.product(other.y) + self.z.product(other.z)
@@ -57,7 +57,7 @@ impl<S: Scalar> Vec3<S> {
         S::narrow(self.dot_wide(other))
     }
 
-    /// The way from `other` to here, by [`Scalar::difference`].
+    /// The vector from `other` to `self`, by [`Scalar::difference`].
     #[inline]
     #[must_use]
     pub fn difference(self, other: Self) -> Self {
@@ -75,7 +75,7 @@ impl<S: Scalar> Vec3<S> {
         )
     }
 
-    /// The squared length in full width: compared, it needs no root.
+    /// The squared length at full width: comparing it needs no root.
     #[inline]
     pub fn squared(self) -> S::Product {
         self.dot_wide(self)
@@ -94,14 +94,14 @@ impl<S: Scalar> Vec3<S> {
         self.map(|component| component.scaled(ratio))
     }
 
-    /// The vector of length `length` in this direction, rounded as told.
+    /// The vector of length `length` in this direction, with the given rounding.
     #[inline(always)]
     #[must_use]
     pub(crate) fn of_length(self, length: S, rounding: Rounding) -> Self {
         self.map(|component| length.scaled_as(component, rounding))
     }
 
-    /// What [`Scalar::correction`] makes of this edge.
+    /// [`Scalar::correction`] of this link vector.
     #[inline(always)]
     #[must_use]
     pub(crate) fn correction(self, rest: &Rest<S>, part: S, rounding: Rounding) -> Self {
@@ -121,13 +121,13 @@ impl<S: Scalar> Vec3<S> {
         S::cosine(self.array(), other.array())
     }
 
-    /// What [`Scalar::press`] gives the corners of a panel with these diagonals in air of this relative velocity.
+    /// The gain by [`Scalar::press`] of a panel's corners, for these diagonals and this relative velocity of the air.
     #[inline(always)]
     pub(crate) fn press([a, b]: [Self; 2], air: Self, panel: &S::Panel, most: impl FnOnce() -> S) -> Option<Self> {
         S::press([a.array(), b.array()], air.array(), panel, most).map(Self::of)
     }
 
-    /// What [`Scalar::press_any`] gives them.
+    /// The gain by [`Scalar::press_any`].
     #[inline]
     #[must_use]
     pub(crate) fn press_any([a, b]: [Self; 2], air: Self, panel: &S::Panel, most: S) -> Self {
@@ -151,7 +151,7 @@ impl<S: Scalar> Vec3<S> {
         [self.x, self.y, self.z]
     }
 
-    /// This vector if `this`, else the other one, without a branch.
+    /// This vector if `this`, otherwise the other one, without a branch.
     #[inline(always)]
     #[must_use]
     pub fn or(self, other: Self, this: bool) -> Self {

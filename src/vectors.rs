@@ -6,14 +6,14 @@ use crate::vec3::Vec3;
 
 /// `W × H` vectors, row by row. The thesis measures two layouts of a sheet's data (thesis, section 6.1); this is the library's.
 ///
-/// A row keeps its x, its y and its z together: machines that compute four numbers at once take them from a row as they lie.
+/// The x components of a row are contiguous, and so are its y and its z components: processors that compute four numbers at once load them without rearranging.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vectors<S, const W: usize, const H: usize>(pub [Vec3<[S; W]>; H]);
 
 impl<S: Scalar, const W: usize, const H: usize> Vectors<S, W, H> {
     /// The same vector everywhere.
     ///
-    /// A grid without a node, or one whose nodes 32 bits can't count, does not compile.
+    /// A grid without nodes, or with more than 32768 columns or rows, does not compile.
     pub const fn filled(vector: Vec3<S>) -> Self {
         const { Grid::<S, W, H>::check() };
         Self([Vec3::row(vector); H])
@@ -25,7 +25,7 @@ impl<S: Scalar, const W: usize, const H: usize> Vectors<S, W, H> {
         self.0[node.row].at(node.column)
     }
 
-    /// Changes the vector at a node.
+    /// Replaces the vector at a node.
     #[inline(always)]
     pub fn set(&mut self, node: Node, vector: Vec3<S>) {
         self.0[node.row].set(node.column, vector);
@@ -47,7 +47,7 @@ impl<S: Scalar, const W: usize, const H: usize> Vectors<S, W, H> {
         self.values().fold(S::ZERO, |most, Vec3 { x, y, z }| most.max(x.abs()).max(y.abs()).max(z.abs()))
     }
 
-    /// Replaces every vector, row by row, by what `change` makes of it.
+    /// Replaces every vector, row by row, by the result of `change`.
     pub fn change(&mut self, mut change: impl FnMut(Vec3<S>) -> Vec3<S>) {
         for row in &mut self.0 {
             for column in 0..W {
@@ -71,7 +71,7 @@ impl<S: Scalar, const W: usize> Vec3<[S; W]> {
         Vec3::new(self.x[column], self.y[column], self.z[column])
     }
 
-    /// Changes the vector in a column.
+    /// Replaces the vector in a column.
     #[inline(always)]
     pub fn set(&mut self, column: usize, vector: Vec3<S>) {
         self.x[column] = vector.x;
@@ -85,7 +85,7 @@ impl<S: Scalar, const W: usize> Vec3<[S; W]> {
         self.set(column, self.at(column) + vector);
     }
 
-    /// The row whose x, y and z are what `change` makes of this one's.
+    /// The row with `change` applied to its x, its y and its z.
     #[inline(always)]
     #[must_use]
     pub fn components(&self, change: impl Fn(&[S; W]) -> [S; W]) -> Self {
@@ -93,15 +93,15 @@ impl<S: Scalar, const W: usize> Vec3<[S; W]> {
     }
 }
 
-/// Whether the machine computes several numbers at once: then rows are computed as a whole, what their ends lack included.
+/// Whether the processor computes several numbers at once: then whole rows are computed, including columns at the ends that lack a neighbour.
 pub(crate) const SIDE_BY_SIDE: bool = cfg!(any(target_feature = "sse2", target_feature = "neon"));
 
-/// The columns of a row, or where numbers are computed one by one those among them that have one `AHEAD` to the right and one `BEHIND` to the left.
+/// All columns of a row. If numbers are computed one by one, only the columns that have a neighbour `AHEAD` to the right and one `BEHIND` to the left.
 pub(crate) const fn columns<const AHEAD: usize, const BEHIND: usize, const W: usize>() -> core::ops::Range<usize> {
     if SIDE_BY_SIDE { 0..W } else { BEHIND..W.saturating_sub(AHEAD) }
 }
 
-/// What stands `BY < W` columns to the right; beyond the last nothing, or the first.
+/// The vector `BY < W` columns to the right; beyond the last column zero, or the first vectors again.
 #[inline(always)]
 pub(crate) fn ahead<const BY: usize, S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> impl Fn(usize) -> Vec3<S> {
     let shifted = row.components(left::<BY, S, W>);
@@ -116,7 +116,7 @@ pub(crate) fn ahead<const BY: usize, S: Scalar, const W: usize>(row: &Vec3<[S; W
     }
 }
 
-/// What stands `BY < W` columns to the left; before the first nothing, or the last.
+/// The vector `BY < W` columns to the left; before the first column zero, or the last vectors again.
 #[inline(always)]
 pub(crate) fn behind<const BY: usize, S: Scalar, const W: usize>(row: &Vec3<[S; W]>) -> impl Fn(usize) -> Vec3<S> {
     let shifted = row.components(right::<BY, S, W>);
@@ -131,7 +131,7 @@ pub(crate) fn behind<const BY: usize, S: Scalar, const W: usize>(row: &Vec3<[S; 
     }
 }
 
-/// Each column has what was `BY < W` columns to its right; the first come last.
+/// The row rotated to the left by `BY < W` columns: the first columns come last.
 #[inline(always)]
 pub(crate) fn left<const BY: usize, S: Scalar, const W: usize>(row: &[S; W]) -> [S; W] {
     let mut shifted = *row;
@@ -140,7 +140,7 @@ pub(crate) fn left<const BY: usize, S: Scalar, const W: usize>(row: &[S; W]) -> 
     shifted
 }
 
-/// Each column has what was `BY < W` columns to its left; the last come first.
+/// The row rotated to the right by `BY < W` columns: the last columns come first.
 #[inline(always)]
 pub(crate) fn right<const BY: usize, S: Scalar, const W: usize>(row: &[S; W]) -> [S; W] {
     let mut shifted = *row;

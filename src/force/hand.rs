@@ -11,7 +11,7 @@ use crate::vec3::Vec3;
 
 /// A hand: a damped spring from one particle to a target, `F = (target − x)/compliance − damping·v`.
 ///
-/// The force stops growing at a distance of `reach`, so it never exceeds `reach/compliance`: a pinned sheet is not overstretched, however far away the target
+/// The force stops growing at a distance of `reach`, so it never exceeds `reach/compliance`: a sheet pinned elsewhere is not overstretched, however far away the target
 /// is. The particle keeps its mass, and after release its velocity. A pinned particle stays in place: [`Scene::move_pin`](crate::Scene::move_pin) moves it.
 ///
 /// The hand is a force like any other: all solvers approximate the same equation with it, in their order. Where a substep h is too long for its strength,

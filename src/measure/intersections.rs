@@ -1,4 +1,4 @@
-//! Where a sheet passes through itself.
+//! Intersections of a sheet with itself.
 
 use core::array;
 
@@ -6,29 +6,29 @@ use crate::grid::Node;
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 
-/// Parts of a cell in which places are counted: what fixed point holds is exact, and so are the signs below.
+/// The steps per cell in which positions are counted: fixed-point positions are represented exactly, and so the signs below are exact.
 const PARTS: f64 = 16_777_216.0;
 
-/// Further from the origin, cells, places count as that far.
+/// Positions further from the origin, cells, are clamped to this distance.
 const FAR: f64 = 8192.0;
 
 type Place = [i64; 3];
 
-/// How many pairs there are of an edge and a triangle of the sheet that pass through each other. Cells are two triangles each, whose edges are those along rows and columns
-/// and the diagonals between; what has a corner in common is no pair. Every pair is looked at, by the signs of volumes in whole numbers, unless the triangle is nowhere near the
-/// edge's row.
+/// The number of pairs of an edge and a triangle of the sheet that intersect. A cell consists of two triangles. Edges run along rows and columns and along the
+/// diagonal between the two triangles. An edge and a triangle with a common corner are not counted. Every pair is tested by the signs of volumes in whole
+/// numbers, unless the triangle's bounding box is apart from that of the edge's row.
 ///
-/// Takes 24 bytes of stack a particle: this is for hosts.
+/// Takes 24 bytes of stack per particle: this function is for hosts.
 pub fn intersections<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>) -> u32 {
-    // what is undefined is nowhere
+    // the conversion turns undefined components into 0
     let place = |node: Node| particles.position.at(node).to_f64().map(|x| (x.clamp(-FAR, FAR) * PARTS) as i64);
     let places: [[Place; W]; H] = array::from_fn(|row| array::from_fn(|column| place(Node { column, row })));
-    // around the edges that begin in a row
+    // the bounding boxes of the edges that begin in a row
     let around: [_; H] = array::from_fn(|row| bounds(places[row..H.min(row + 2)].as_flattened()));
     count(places.as_flattened(), W, &around)
 }
 
-/// The same for a grid of any size: compiled once.
+/// [`intersections`] for a grid of any size: compiled once.
 fn count(places: &[Place], columns: usize, around: &[[Place; 2]]) -> u32 {
     let rows = around.len();
     let mut count = 0;
@@ -53,7 +53,7 @@ fn count(places: &[Place], columns: usize, around: &[[Place; 2]]) -> u32 {
     count
 }
 
-/// The edges that begin in a row, by the numbers of their ends.
+/// The edges that begin in a row, by the indices of their ends.
 fn each_edge(row: usize, [columns, rows]: [usize; 2], mut visit: impl FnMut([usize; 2])) {
     for column in 0..columns {
         let node = row * columns + column;
@@ -81,7 +81,7 @@ fn meet([low, high]: [Place; 2], [other_low, other_high]: [Place; 2]) -> bool {
     (0..3).all(|axis| low[axis] <= other_high[axis] && other_low[axis] <= high[axis])
 }
 
-/// Whether an edge passes through the inside of a triangle.
+/// Whether an edge passes through the interior of a triangle.
 fn passes_through([p, q]: [Place; 2], [a, b, c]: [Place; 3]) -> bool {
     side(a, b, c, p) * side(a, b, c, q) < 0 && {
         let sides = [side(p, q, a, b), side(p, q, b, c), side(p, q, c, a)];
@@ -89,7 +89,7 @@ fn passes_through([p, q]: [Place; 2], [a, b, c]: [Place; 3]) -> bool {
     }
 }
 
-/// On which side of the triangle a, b, c a place is: 1, −1, or 0 in its plane.
+/// The side of the triangle a, b, c on which a point lies: 1, −1, or 0 in its plane.
 fn side(a: Place, b: Place, c: Place, p: Place) -> i32 {
     let from = |x: Place| -> [i128; 3] { array::from_fn(|axis| i128::from(x[axis] - a[axis])) };
     let ([bx, by, bz], [cx, cy, cz], [px, py, pz]) = (from(b), from(c), from(p));
@@ -110,14 +110,14 @@ mod tests {
     fn a_strip_that_is_bent_through_itself_is_counted() {
         let mut strip = Cloth::<f64, 6, 3>::lay(&UNITS, UNITS.point([0.0; 3]));
         assert_eq!(intersections(&strip), 0);
-        // the end goes back, and down through the middle of the second row of cells
+        // the end turns back, and down through the middle of the second row of cells
         for row in 0..3 {
             let y = row as f64;
             let at = |x: f64, z: f64| Vec3::from_f64([x, y + 0.25, z]);
             strip.position.set(Node::new(4, row), at(1.4, 1.0));
             strip.position.set(Node::new(5, row), at(1.4, -0.5));
         }
-        // three edges down the strip and two diagonals go through it, and of the strip's own edges none through the end: those lie beside it
+        // three edges and two diagonals of the end pass through the strip; no edge of the strip passes through the end, as they lie beside it
         let down = intersections(&strip);
         assert!(down >= 4, "{down}");
         for row in 0..3 {

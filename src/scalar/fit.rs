@@ -1,25 +1,25 @@
-//! Whether a number type represents the constants of a scene.
+//! Checks whether a number type represents the constants of a scene.
 //!
-//! Integer arithmetic alone on the bits of an `f64`, so that firmware which checks a number links no float routine; and inlined, so that of the check of a constant
-//! nothing is left.
+//! They use integer arithmetic on the bits of an `f64` only, so that firmware which checks a number links no float routine. They are inlined, so that the check
+//! of a constant leaves no code.
 
 use super::Scalar;
 
-/// Rounding may change a constant by one part in so many of its largest component, 6 %. So a number of eight last places, which has four bits, always fits, and one of
-/// fewer by luck: the digests' shortest steps need some that do.
+/// Rounding may change a constant by at most one part in `MOST` of its largest component, 6 %. So a number of eight last places, which has four bits, always
+/// fits. A smaller number fits only if its rounding error happens to be small: the digests' shortest steps need some of those.
 const MOST: u64 = 16;
-/// Bits below a type's last place that are looked at.
+/// The number of bits below a type's last place that are checked.
 const BELOW: u64 = 20;
 
 const SIGN: u64 = 1 << 63;
 const MANTISSA: u64 = (1 << 52) - 1;
 
-/// How a number type represents a constant.
+/// The quality with which a number type represents a constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fit {
     /// To within a sixteenth.
     Well,
-    /// Not at all: it is larger than the largest number, infinite or undefined.
+    /// Not at all: it exceeds the largest number, or is infinite or undefined.
     TooLarge,
     /// By a number that differs from it by more than a sixteenth.
     Coarsely,
@@ -33,7 +33,7 @@ pub(crate) const fn is_finite(value: f64) -> bool {
     magnitude(value) < 0x7ff << 52
 }
 
-/// Whether a number is zero or above; infinity is.
+/// Whether a number is zero or above, infinity included.
 #[inline(always)]
 pub(crate) const fn is_not_negative(value: f64) -> bool {
     magnitude(value) <= 0x7ff << 52 && (value.to_bits() & SIGN == 0 || magnitude(value) == 0)
@@ -45,13 +45,13 @@ pub(crate) const fn is_positive(value: f64) -> bool {
     is_finite(value) && is_not_negative(value) && magnitude(value) != 0
 }
 
-/// Whether `S` has a number as large as that.
+/// Whether the magnitude is within the range of `S`.
 #[inline(always)]
 pub(crate) const fn is_in_range<S: Scalar>(value: f64) -> bool {
     magnitude(value) <= S::LARGEST.to_bits()
 }
 
-/// How `S` represents a constant of these components. Zero is represented well, and so is a component that is small beside the others.
+/// The quality with which `S` represents a constant of these components. Zero is represented well, and so is a component that is small beside the others.
 #[inline(always)]
 pub(crate) const fn fit<S: Scalar, const N: usize>(values: [f64; N]) -> Fit {
     let (mut largest, mut error, mut is_zero) = (0, 0, true);
@@ -78,13 +78,13 @@ pub(crate) const fn fit<S: Scalar, const N: usize>(values: [f64; N]) -> Fit {
     }
 }
 
-/// A number's bits without its sign, which are in the order of magnitudes.
+/// A number's bits without its sign; their order is that of magnitudes.
 #[inline(always)]
 const fn magnitude(value: f64) -> u64 {
     value.to_bits() & !SIGN
 }
 
-/// The magnitude of a number of fixed point in its last places, and how far it is from a whole number of them, both times 2^[`BELOW`].
+/// The magnitude of a fixed-point number in units of its last place, and its distance from a whole number of them, both times 2^[`BELOW`].
 #[inline(always)]
 const fn in_places<S: Scalar>(value: f64) -> [u64; 2] {
     let fraction = 1023 - (S::RESOLUTION.to_bits() >> 52);
@@ -97,7 +97,7 @@ const fn in_places<S: Scalar>(value: f64) -> [u64; 2] {
     [places, if beyond < short { beyond } else { short }]
 }
 
-/// Floats round every number alike that is not below the least normal one, 2^(1 − E) for a largest number below 2^(E + 1).
+/// Floats round all numbers with the same relative error down to the least normal one, 2^(1 − E) for a largest number below 2^(E + 1).
 #[inline(always)]
 const fn in_normal_numbers<S: Scalar>(value: f64) -> [u64; 2] {
     let exponent = (S::LARGEST.to_bits() >> 52) - 1023;

@@ -24,19 +24,19 @@ use kernel::Kernel;
 use panel::Panel;
 use short::Short;
 
-/// A fixed-point number from −128 to 128 in steps of 2⁻²⁴ (6·10⁻⁸), whose products, quotients and links are computed as `K` does.
+/// A fixed-point number from −128 to 128 in steps of 2⁻²⁴ (6·10⁻⁸). The kernel `K` computes its products, quotients and links.
 ///
-/// Sums wrap, products are rounded to nearest. (The operators of the crate `fixed` round towards −∞, which pushes a sheet at rest
-/// sideways.) Lengths are counted in cells: a sheet may move through 128 cells to either side of the origin.
+/// Sums wrap, products are rounded to nearest. (The operators of the crate `fixed` round towards −∞, which pushes a sheet at rest sideways.) Lengths are
+/// measured in cells: a sheet may move through 128 cells to either side of the origin.
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Fixed24<K>(I8F24, PhantomData<K>);
 
-/// The accurate one: results are right to 6·10⁻⁸ cells, for which a link needs 64-bit products.
+/// The accurate type: results are accurate to 6·10⁻⁸ cells, which takes 64-bit products for a link.
 pub type Q24 = Fixed24<Exact>;
 
-/// The fast one: links are measured to 13 fraction bits, 6·10⁻⁵ cells, for which 32-bit products do. All else has the 24 bits of [`Q24`].
+/// The fast type: links are measured to 13 fraction bits, 6·10⁻⁵ cells, which takes 32-bit products only. All other values have the 24 bits of [`Q24`].
 ///
-/// Links strained by more than 6 %, or shorter than 0.61 cells, take the way of [`Q24`].
+/// Links strained by more than 6 %, or shorter than 0.61 cells, are computed by the code of [`Q24`].
 pub type Q13 = Fixed24<Short>;
 
 const FRACTION: u32 = 24;
@@ -128,7 +128,7 @@ impl<K: Kernel> SubAssign for Fixed24<K> {
     }
 }
 
-/// What `change` makes of each component. (The standard library's `map` on arrays is not always inlined.)
+/// Applies `change` to each component. (The standard library's `map` on arrays is not always inlined.)
 #[inline(always)]
 fn each<T, U>([x, y, z]: [T; 3], change: impl Fn(T) -> U) -> [U; 3] {
     [change(x), change(y), change(z)]
@@ -205,7 +205,7 @@ impl<K: Kernel> Scalar for Fixed24<K> {
 
     #[inline]
     fn rate(self, halves: u32, shift: u32) -> Self {
-        // in which only what is too large itself wraps
+        // wraps only if the result itself is too large
         match (halves % 2, shift) {
             (0, _) => self.times(halves as i32 / 2).double(shift),
             (_, 0) => self.times(halves as i32 / 2) + self.halve(1),
@@ -334,7 +334,7 @@ impl<K: Kernel> Scalar for Fixed24<K> {
 
     #[inline]
     fn height(place: [Self; 3], origin: [Self; 3], normal: [Self; 3]) -> Self {
-        // of products, which are exact, none is lost
+        // products are exact, and so is their sum
         let along = |[x, y, z]: [Self; 3]| x.product(normal[0]) + y.product(normal[1]) + z.product(normal[2]);
         Self::narrow(along(place) + along(each(origin, Neg::neg)))
     }
@@ -378,7 +378,7 @@ impl<K: Kernel> Scalar for Fixed24<K> {
 
     #[inline(always)]
     fn quarter_of_sum(self, other: Self) -> Self {
-        // cut off: a place of 24 bits is nothing to air
+        // cut off: an error of one place of 24 bits is negligible for air
         Self::from_bits((self.to_bits() >> 2) + (other.to_bits() >> 2))
     }
 
@@ -466,7 +466,7 @@ mod tests {
 
     #[test]
     fn no_distance_within_the_range_is_too_long() {
-        // 208 cells: its square is more than an i64 holds
+        // 208 cells: the square exceeds an i64
         let far = Vec3::new(number(120.0), number(-120.0), number(120.0));
         let reach = number(127.0);
         assert!(far.squared() > reach.product(reach));

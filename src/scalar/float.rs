@@ -3,7 +3,7 @@
 use super::panel::Panel;
 use super::{Rest, Scalar, root};
 
-/// A number's bits, the same for all that are undefined: which of them an operation gives, Rust leaves to the compiler.
+/// A number's bits, with the same bits for every NaN: Rust leaves the NaN that an operation returns to the compiler.
 trait CanonicalBits {
     type Bits;
     fn canonical_bits(self) -> Self::Bits;
@@ -16,7 +16,7 @@ macro_rules! float {
             #[inline]
             fn canonical_bits(self) -> $bits {
                 let bits = self.to_bits();
-                // in integers, because a comparison of floats may be a call
+                // in integers, because a comparison of floats may be a function call
                 if bits << 1 > <$float>::INFINITY.to_bits() << 1 { <$float>::NAN.to_bits() } else { bits }
             }
         }
@@ -28,7 +28,7 @@ macro_rules! float {
             const HALF: Self = 0.5;
             const LARGEST: f64 = <$float>::MAX as f64;
             const RESOLUTION: f64 = <$float>::EPSILON as f64;
-            // of places 8 cells from the origin
+            // the resolution of positions 8 cells from the origin
             const EDGE: f64 = 8.0 * Self::RESOLUTION;
             const STRAY: f64 = 8.0 * Self::EDGE;
             const EMPTY: Self = 0.0;
@@ -92,7 +92,7 @@ macro_rules! float {
             }
             #[inline]
             fn elongation(squares: Self, rest: &Rest<Self>) -> Self {
-                // The floor keeps coincident particles finite; it is far below any length that rounding leaves.
+                // The lower bound keeps coincident particles finite; it is far below any length that rounding leaves.
                 1.0 - rest.length / $sqrt(Scalar::max(squares, $tiny))
             }
             #[inline]

@@ -1,8 +1,9 @@
-//! The square root of floats, correctly rounded everywhere: the same bits, but one instruction where a machine has it and Rust a way to it.
+//! The square root of floats, correctly rounded everywhere: the same bits on every processor, in one instruction if the processor has it and Rust gives access
+//! to it.
 //!
-//! `core` has no root. [`safe_arch`] has the instruction of x86-64, which compilers know well enough to take four at once. (`libm` has it, too, but in assembly, which stands
-//! alone: a frame of the line solver took 1.4 times as many instructions.) A Cortex-M4F has the instruction, and no crate yet that gives it: there [`newton`] takes its place
-//! for `f32`. Where floats are software, `libm`'s is the shortest.
+//! `core` has no square root. [`safe_arch`] provides the instruction of x86-64 in a form that compilers can vectorise to four at once. (`libm` uses it, too,
+//! but in inline assembly, which compilers cannot vectorise: a frame of the line solver took 1.4 times as many instructions.) A Cortex-M4F has the instruction,
+//! but no crate provides it yet: there [`newton`] replaces it for `f32`. Where floats are software, `libm`'s function is the shortest.
 
 #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
 use elsewhere as chosen;
@@ -47,11 +48,11 @@ mod elsewhere {
     }
 }
 
-/// `√x`, correctly rounded: the same bits as the instruction of machines that have one.
+/// `√x`, correctly rounded: the same bits as the square-root instruction.
 ///
-/// Half the exponent is a first guess of 1/√x (J. Blinn, *Floating-point tricks*, 1997); three steps of Newton's method make it a root with an error of a unit
-/// in the last place. What the root's square lacks of x is then computed exactly, as products of numbers of 12 bits, and corrects it. With it a
-/// link of XPBD took 114 instructions on a Cortex-M4F, with `libm` 136; tests compare every mantissa.
+/// Halving the exponent gives a first guess of 1/√x (J. Blinn, *Floating-point tricks*, 1997); three steps of Newton's method lead to a root with an error of a
+/// unit in the last place. The difference between x and the root's square is then computed exactly, by products of numbers of 12 bits, and corrects the root.
+/// With this function a link of XPBD took 114 instructions on a Cortex-M4F, with `libm` 136; tests compare every mantissa.
 #[cfg(any(test, all(not(feature = "std"), target_abi = "eabihf")))]
 #[inline]
 pub(crate) fn newton(x: f32) -> f32 {
@@ -74,10 +75,10 @@ pub(crate) fn newton(x: f32) -> f32 {
 mod tests {
     use super::*;
 
-    /// Every root of `f32` that this machine can take, beside the standard library's.
     /// A root with its name.
     type Root<T> = (&'static str, fn(T) -> T);
 
+    /// Every root of `f32` that this machine can take, beside the standard library's.
     const ROOTS: &[Root<f32>] = &[("newton", newton), ("libm", libm::sqrtf), ("chosen", super::f32)];
     const WIDE_ROOTS: &[Root<f64>] = &[("libm", libm::sqrt), ("chosen", super::f64)];
 
@@ -111,9 +112,9 @@ mod tests {
         let mut state = 1_u64;
         for k in 0..1_u64 << 21 {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            // every exponent and sign in turn, subnormal numbers, infinities and what is undefined among them
+            // every exponent and sign in turn, including subnormal numbers, infinities and NaN
             let x = f64::from_bits(k << 52 | state >> 12);
-            // and squares with their neighbours, whose roots lie next to a number or between two
+            // and squares with their neighbours, whose roots lie next to a number or halfway between two
             let square = x * x;
             for x in [x, square, square.next_up(), square.next_down()] {
                 let expected = x.sqrt();

@@ -1,12 +1,12 @@
-//! From where on a result is rounded up.
+//! The rounding of fixed-point results, with dither.
 
-/// What is added to a result before the digits below its last place are cut off, in 256ths of a last place.
+/// The offset added to a result before the digits below its last place are cut off, in 256ths of a last place.
 ///
-/// Half a place rounds to nearest, but then a correction below half a last place is none, however often it is made. Offsets that are
-/// spread evenly over the last place and differ from one substep to the next let it through in its share of the substeps (dither:
-/// L. Schuchman, *Dither signals and their effect on quantization noise*, 1964), and cost what half a place costs.
+/// An offset of half a place rounds to nearest, but then a correction below half a last place is always lost, however often it is repeated. Offsets that are
+/// spread evenly over the last place and differ between substeps let it take effect in a proportional number of substeps (dither: L. Schuchman, *Dither signals
+/// and their effect on quantization noise*, 1964). They cost no more than an offset of half a place.
 ///
-/// Results of zero stay zero. To floats, which lose nothing of a small result, it means nothing.
+/// Results of zero stay zero. Floats ignore it, because they keep small results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rounding(u8);
 
@@ -16,9 +16,8 @@ impl Rounding {
 
     /// The offset of turn `turn` of `turns`, counted from 0; `turns ≤ 2^shift`.
     ///
-    /// In the first half of the turns offsets follow one another as in the sequence of J. G. van der Corput, 1935, in the middle of slots of
-    /// 2^−shift; in the second half come their complements, backwards. So the mean is one half for any number of turns, and nothing drifts.
-    /// From 128 turns on they repeat.
+    /// In the first half of the turns the offsets follow the sequence of J. G. van der Corput, 1935, in the middle of slots of 2^−shift. In the second half
+    /// their complements follow in reverse order. So the mean is one half for any number of turns, and there is no drift. From 128 turns on they repeat.
     #[inline]
     pub const fn of_turn(turn: u32, turns: u32, shift: u32) -> Self {
         let mirrored = turns - 1 - turn;
@@ -40,7 +39,7 @@ impl Rounding {
 
 const HALF: u8 = 1 << 7;
 
-/// The middle of the slot whose number is `turn` with its `shift` bits in reverse, but of 7 bits at most.
+/// The middle of the slot whose number is `turn` with its `shift` bits reversed, at most 7 bits.
 const fn slot(turn: u32, shift: u32) -> u8 {
     let middle = if shift < 7 { HALF >> shift } else { 1 };
     // the bits of `turn` above the slot's are cut off
@@ -57,7 +56,7 @@ mod tests {
             let shift = turns.next_power_of_two().trailing_zeros();
             let offsets = || (0..turns).map(|turn| u32::from(Rounding::of_turn(turn, turns, shift).0));
             assert_eq!(offsets().sum::<u32>(), 128 * turns, "{turns} turns");
-            // no stretch of the last place is left out
+            // no interval of the last place is left out
             let width = 512 / turns.min(128);
             for start in (0..=256 - width.min(256)).step_by(3) {
                 assert!(offsets().any(|offset| (start..=start + width).contains(&offset)), "{turns} turns: {start} on");

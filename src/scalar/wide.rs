@@ -5,8 +5,8 @@ use core::ops::Add;
 
 /// A product of two [`Q24`](super::Q24), or a sum of up to three, with 48 fraction bits.
 ///
-/// The squares of a vector add up to 1.5·2⁶³: more than an `i64` holds, but not more than a `u64`. So sums wrap, and squares are compared and
-/// read as the unsigned numbers that they are: a distance across the whole range of positions is right at no cost.
+/// The squares of a vector add up to 1.5·2⁶³: this exceeds an `i64`, but not a `u64`. So sums wrap, and sums of squares are compared and read as unsigned
+/// numbers. Distances across the whole range of positions are then correct at no cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wide(i64);
 

@@ -1,4 +1,4 @@
-//! To and from the types of the crate `fixed`, and text.
+//! Conversion to and from the types of the crate `fixed`, and text.
 //!
 //! ```
 //! use fixed::types::{I8F24, I16F16};
@@ -36,7 +36,7 @@ impl<K> From<Fixed24<K>> for I8F24 {
     }
 }
 
-/// Exact: both are the same numbers.
+/// Exact: both types have the same numbers.
 impl From<Q24> for Q13 {
     #[inline]
     fn from(number: Q24) -> Self {
@@ -44,7 +44,7 @@ impl From<Q24> for Q13 {
     }
 }
 
-/// Exact: both are the same numbers.
+/// Exact: both types have the same numbers.
 impl From<Q13> for Q24 {
     #[inline]
     fn from(number: Q13) -> Self {
@@ -52,16 +52,16 @@ impl From<Q13> for Q24 {
     }
 }
 
-/// Decimal, with as few digits as tell it from its neighbours unless a precision asks for others.
+/// Decimal, with as few digits as distinguish it from its neighbours, unless a precision is given.
 impl<K> fmt::Display for Fixed24<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(&self.0, f)
     }
 }
 
-/// The number nearest to a decimal one, of two the even one: `"-1.5"`, `"2e-3"`.
+/// The number nearest to a decimal one; in a tie, the even one: `"-1.5"`, `"2e-3"`.
 impl<K> FromStr for Fixed24<K> {
-    /// For text that is no number, and one that rounds to below −128 or above 128 − 2⁻²⁴.
+    /// For text that is no number, and for a number that rounds to below −128 or above 128 − 2⁻²⁴.
     type Err = ParseFixedError;
 
     fn from_str(text: &str) -> Result<Self, ParseFixedError> {
@@ -69,7 +69,7 @@ impl<K> FromStr for Fixed24<K> {
     }
 }
 
-/// As [`I8F24`] does: with fewer fraction bits it rounds down.
+/// Like [`I8F24`]: rounds down to a type with fewer fraction bits.
 impl<K> ToFixed for Fixed24<K> {
     fn to_fixed<F: Fixed>(self) -> F {
         ToFixed::to_fixed(self.0)
@@ -96,7 +96,7 @@ impl<K> ToFixed for Fixed24<K> {
     }
 }
 
-/// As [`I8F24`] does: of more fraction bits it rounds down.
+/// Like [`I8F24`]: rounds down from a type with more fraction bits.
 impl<K> FromFixed for Fixed24<K> {
     fn from_fixed<F: Fixed>(number: F) -> Self {
         I8F24::from_fixed(number).into()
@@ -163,7 +163,7 @@ mod tests {
         assert_eq!(std::format!("{:+8.2}", Q24::HALF), "   +0.50");
     }
 
-    /// Halves of a last place are 2⁻²⁵ = 2.98023223876953125e-8.
+    /// Half a last place is 2⁻²⁵ = 2.98023223876953125e-8.
     #[test]
     fn text_is_rounded_to_nearest() {
         for (text, bits) in [

@@ -1,4 +1,4 @@
-//! Links in 64-bit products.
+//! Links by 64-bit products.
 
 use super::kernel::Kernel;
 use super::newton::inverse_root_wide;
@@ -7,17 +7,17 @@ use super::quotient::{divide, root, saturate};
 use super::{FRACTION, Fixed24, ONE, each};
 use crate::scalar::{Rest, Rounding};
 
-/// Products of 64 bits: every result is right to its last place or the one before.
+/// Products of 64 bits: every result is accurate to its last place or the one before.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Exact;
 
-/// `squares/L²` by 1/L², near one, with 48 fraction bits; it saturates at 2¹⁵, that is 181 rest lengths, where an elongation is 0.9945.
+/// `squares/L²` from 1/L², near one, with 48 fraction bits. It saturates at 2¹⁵, which is 181 rest lengths, where an elongation is 0.9945.
 ///
-/// Bounds: 1/L² < 2³¹, so both products are below 2⁶³; beyond the check the upper one is below 2⁵⁵ and fits once shifted, and the lower one adds less than 2³⁹.
+/// Bounds: 1/L² < 2³¹, so both products are below 2⁶³. After the check the upper one is below 2⁵⁵ and fits once shifted, and the lower one adds less than 2³⁹.
 #[inline]
 fn ratio(squares: u64, inverse_square: i32) -> u64 {
     let inverse = inverse_square as u32;
-    // the product needs up to 95 bits: its upper and its lower part apart
+    // the product needs up to 95 bits: its upper and lower parts are separate
     let upper = unsigned((squares >> 32) as u32, inverse);
     let lower = unsigned(squares as u32, inverse);
     if upper >> 55 != 0 {
@@ -26,7 +26,7 @@ fn ratio(squares: u64, inverse_square: i32) -> u64 {
     ((upper << 8) + (lower >> FRACTION)).clamp(1, u64::MAX >> 1)
 }
 
-/// `1/√ratio` with 24 fraction bits, rounded to nearest. From 2⁻⁴⁸ to 2¹⁵ the ratio makes an exponent e of −7 to 24: shifts of −17 to 14, of 31 bits in 64.
+/// `1/√ratio` with 24 fraction bits, rounded to nearest. Ratios from 2⁻⁴⁸ to 2¹⁵ give exponents e of −7 to 24: shifts of −17 to 14, of 31 bits in 64.
 #[inline]
 fn inverse_stretch(ratio: u64) -> i64 {
     let (y, e) = inverse_root_wide(ratio);
@@ -35,7 +35,7 @@ fn inverse_stretch(ratio: u64) -> i64 {
     if drop > 0 { ((i64::from(y) >> (drop - 1)) + 1) >> 1 } else { i64::from(y) << -drop }
 }
 
-/// The largest |e| of [`near_rest`], with 29 fraction bits: links stretched or shortened by up to 1.5 %.
+/// The largest |e| of [`near_rest`], with 29 fraction bits: links with a strain of up to 1.5 % in either direction.
 const NEAR: i32 = 1 << 24;
 
 /// e with `squares/L² = 1 + e` and 29 fraction bits, for a link near its rest length up to 2.8 cells: nearly all links at nearly all times.
@@ -53,8 +53,9 @@ fn near_rest(squares: u64, inverse_square: i32) -> Option<i32> {
 
 /// `e·(1/2 − e·(c₂ − e·(c₃ − e·c₄)))` with 24 fraction bits, |e| ≤ 1/32 with 29.
 ///
-/// Every product keeps its upper word, which takes no shift: e with 36 fraction bits makes one of 32 − 36 = −4 fraction bits less than its other factor, so the
-/// coefficients have 24, 20, 16 and 12 of them, which they all fit, and the result has 28. Cut off, they leave an error of 0.1 units of the last place.
+/// Every product keeps only its upper word, which takes no shift. e with 36 fraction bits gives a product with 32 − 36 = −4 fraction bits fewer than its other
+/// factor. So the coefficients have 24, 20, 16 and 12 fraction bits, in which each fits, and the result has 28. The cut-off bits leave an error of 0.1 units of
+/// the last place.
 #[inline(always)]
 fn series(e: i32, [c2, c3, c4]: [f64; 3]) -> i32 {
     let times = |factor: i32| (signed(e << 7, factor) >> 32) as i32;
@@ -64,9 +65,9 @@ fn series(e: i32, [c2, c3, c4]: [f64; 3]) -> i32 {
     (result + 8) >> 4
 }
 
-/// Of `1 − 1/√(1 + e)`, the next term would be 63/256·e⁵ < 0.13 units.
+/// Coefficients of `1 − 1/√(1 + e)`; the next term would be 63/256·e⁵ < 0.13 units.
 const ELONGATION: [f64; 3] = [3.0 / 8.0, 5.0 / 16.0, 35.0 / 128.0];
-/// Of `√(1 + e) − 1`, the next term would be 7/256·e⁵ < 0.02 units.
+/// Coefficients of `√(1 + e) − 1`; the next term would be 7/256·e⁵ < 0.02 units.
 const EXCESS: [f64; 3] = [1.0 / 8.0, 1.0 / 16.0, 5.0 / 128.0];
 
 /// `1 − L/√squares`.
@@ -90,7 +91,7 @@ pub(super) fn gauge<K: Kernel>(squares: u64, rest: &Rest<Fixed24<K>>) -> (i32, i
     }
 }
 
-/// Full range, out of the way of the rest.
+/// Full range; kept out of the inlined fast path.
 #[inline(never)]
 #[cold]
 fn far_elongation(squares: u64, inverse_square: i32) -> i32 {
@@ -100,7 +101,7 @@ fn far_elongation(squares: u64, inverse_square: i32) -> i32 {
     saturate(i64::from(ONE) - inverse_stretch(ratio(squares, inverse_square)))
 }
 
-/// Full range, out of the way of the rest.
+/// Full range; kept out of the inlined fast path.
 #[inline(never)]
 #[cold]
 fn far_gauge(squares: u64, [length, inverse, inverse_square]: [i32; 3]) -> (i32, i32) {
@@ -111,7 +112,7 @@ fn far_gauge(squares: u64, [length, inverse, inverse_square]: [i32; 3]) -> (i32,
     (root(squares) - length, Exact::multiply(stretch, inverse))
 }
 
-/// The scalar product in full width.
+/// The scalar product at full width.
 #[inline(always)]
 pub(super) fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
     let product = |k: usize| signed(a[k], b[k]);

@@ -1,4 +1,4 @@
-//! What sets one fixed-point type apart from the other.
+//! The difference between the two fixed-point types.
 
 use core::fmt::Debug;
 use core::hash::Hash;
@@ -6,21 +6,21 @@ use core::hash::Hash;
 use super::Fixed24;
 use crate::scalar::{Rest, Rounding};
 
-/// How products, quotients and links are computed, on the bits of numbers with 24 fraction bits.
+/// The computation of products, quotients and links, on the bits of numbers with 24 fraction bits.
 ///
-/// [`Exact`](super::Exact) and [`Short`](super::Short) are the two there are.
+/// [`Exact`](super::Exact) and [`Short`](super::Short) implement it.
 pub trait Kernel: Copy + Debug + Default + Ord + Hash + Send + 'static {
     /// The type's name.
     const NAME: &'static str;
-    /// The last place of an edge, cells.
+    /// The last place of a link's components, cells.
     const EDGE: f64;
-    /// How far rounding carries a sheet that is as good as at rest, cells.
+    /// The distance by which rounding moves a sheet practically at rest, cells.
     const STRAY: f64;
 
-    /// What links of a rest length are measured with besides its inverse.
+    /// Data for measuring links of a rest length, besides its inverse.
     type Prepared: Copy + Debug + PartialEq + Send + Sync + 'static;
 
-    /// Forms it from 1/L and 1/L².
+    /// Computes it from 1/L and 1/L².
     fn prepared(inverse: i32, inverse_square: i32) -> Self::Prepared;
 
     /// A product, rounded to nearest.

@@ -4,12 +4,13 @@ use super::product::{signed, unsigned};
 
 /// `1/√m` for `1 ≤ m < 4` with 30 fraction bits; the result lies in (½, 1] and has 31 fraction bits (1 is 2³¹).
 ///
-/// A straight line, at most 9 % off, and four steps of Newton's method for `y⁻² = m`, each of which turns the relative error ε
-/// into −1.5·ε² − 0.5·ε³: 1.2e-2, 2.3e-4, 8e-8, < 2⁻³¹. No division, no table.
+/// The start is a straight line, at most 9 % off. Four steps of Newton's method for `y⁻² = m` follow, each of which turns the relative error ε into
+/// −1.5·ε² − 0.5·ε³: 1.2e-2, 2.3e-4, 8e-8, < 2⁻³¹. No division, no table.
 ///
-/// Bounds, in units of 2³¹ unless said: the line 1.07 − 0.153·m lies in (0.45, 0.92) and is off by −8.4 % at m = 1 and 4, by +9 % at m = 1.07/0.459, and ε ≤ 0
-/// after the first step, so y ≤ 1.09/√m, y² ≤ 1.19/m ≤ 1 and y²·m ≤ 1.19 < 2: both fit 32 bits. Their cut-off bits make the defect, of −0.19 to 0.17, up to 5
-/// units of 2⁻³¹ too large; the last step moves y by half of that, and its own bits by one: the result is within 4 units.
+/// Bounds, in units of 2³¹ unless stated otherwise: the line 1.07 − 0.153·m lies in (0.45, 0.92). Its error is −8.4 % at m = 1 and 4, and +9 % at
+/// m = 1.07/0.459. After the first step ε ≤ 0, so y ≤ 1.09/√m, y² ≤ 1.19/m ≤ 1 and y²·m ≤ 1.19 < 2: both fit 32 bits. The bits cut off from them make the defect,
+/// of −0.19 to 0.17, up to 5 units of 2⁻³¹ too large. The last step changes y by half of that, and its own cut-off bits by one unit: the result is within 4
+/// units.
 #[inline]
 fn inverse_root(m: u32) -> u32 {
     const START: u32 = (1.07 * (1_u64 << 31) as f64) as u32;
@@ -36,18 +37,19 @@ pub(super) fn inverse_root_wide(x: u64) -> (u32, i32) {
 
 /// `1/m` for `1 ≤ m < 2` with 31 fraction bits; the result lies in (½, 1] and has 32.
 ///
-/// A straight line, at most a 17th off, and three steps of `y + y·(1 − m·y)`, each of which squares the relative error: 3.5e-3, 1.2e-5, 1.5e-10.
+/// The start is a straight line, at most a 17th off. Three steps of `y + y·(1 − m·y)` follow, each of which squares the relative error: 3.5e-3, 1.2e-5,
+/// 1.5e-10.
 ///
-/// Bounds: the line lies in (0.47, 0.95), and every step leaves y at or below 1/m but for bits cut off, one unit of 2⁻³² each in the defect and in the step: within
-/// 2 units, and of these one upwards at most. For m ≥ 1 + 2⁻³¹ the result is two units below 1; for m = 1 nothing is cut off from m·y: it never is 2³². The
-/// defect is at most a 17th, whose sign the lower word keeps.
+/// Bounds: the line lies in (0.47, 0.95). Without cut-off bits every step would leave y at or below 1/m. One unit of 2⁻³² is cut off in the defect and one in
+/// the step: the result is within 2 units, at most one of them upwards. For m ≥ 1 + 2⁻³¹ the result is two units below 1; for m = 1 no bits are cut off from
+/// m·y: it never is 2³². The defect is at most a 17th, so the lower word keeps its sign.
 #[inline]
 pub(super) fn reciprocal(m: u32) -> u32 {
     const START: u32 = (24.0 / 17.0 * (1_u64 << 32) as f64 - (1_u64 << 32) as f64) as u32;
     const SLOPE: u32 = (8.0 / 17.0 * (1_u64 << 32) as f64) as u32;
     let mut y = START.wrapping_sub((unsigned(m, SLOPE) >> 31) as u32);
     for _ in 0..3 {
-        // near nothing, so that its lower word is all of it
+        // the product is near 1, so its lower word contains the whole defect
         let defect = ((unsigned(m, y) >> 31) as u32).wrapping_neg() as i32;
         y = y.wrapping_add((signed((y >> 1) as i32, defect) >> 31) as u32);
     }

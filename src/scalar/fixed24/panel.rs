@@ -1,4 +1,4 @@
-//! The pressure of air on a panel in 32-bit products, neither root nor division.
+//! The pressure of air on a panel by 32-bit products, without root or division.
 
 use super::product::{round, signed};
 use super::quotient::{divide, saturate};
@@ -7,19 +7,19 @@ use crate::scalar::panel::MOST_OF_PANEL;
 
 /// The fraction bits of diagonals, normals and velocities.
 const BITS: u32 = 13;
-/// The fraction bits of the part of its velocity that air takes.
+/// The fraction bits of the part of the air's velocity that a corner gains.
 const PART: u32 = 20;
-/// The fastest air of the short way along an axis, cells per tick.
+/// The fastest air in the fast path, along an axis, cells per tick.
 const FASTEST: i32 = 8;
 
-/// The largest normal of the short way along an axis, cells².
+/// The largest normal in the fast path, along an axis, cells².
 const WIDEST: i32 = 2;
 
-/// From which to which square of a panel's area over that at rest the short way goes, 25 fraction bits.
+/// The range of the fast path in the square of a panel's area relative to its rest area, 25 fraction bits.
 const LEAST: u32 = 5 << 22;
 const LARGEST: u32 = 13 << 22;
 
-/// What the panels of a sheet have in common, prepared for short products.
+/// The constants of a sheet's panels, prepared for 32-bit products.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Panel {
     /// 24 fraction bits.
@@ -28,7 +28,7 @@ pub struct Panel {
     area: i32,
     /// 1/A₀, 24 fraction bits.
     inverse: i32,
-    /// 1/A₀², 11 fraction bits; zero where the short way has no room.
+    /// 1/A₀², 11 fraction bits; zero if the constants are outside the range of the fast path.
     inverse_square: u32,
     /// `pressure/A₀² = mantissa·2^(6 − shift − BITS)`, the mantissa of 14 bits.
     mantissa: u32,
@@ -39,14 +39,14 @@ impl Panel {
     pub(super) fn new(pressure: i32, area: i32) -> Self {
         let inverse = divide(ONE, area);
         let panel = Self { pressure, area, inverse, inverse_square: 0, mantissa: 0, shift: 0 };
-        // to a panel of less than 4/13 of a cell
+        // no fast path for a rest area of less than 4/13 of a cell
         if inverse > 13 * (ONE / 4) {
             return panel;
         }
         let inverse_square = saturate(round(signed(inverse, inverse)));
         let product = signed(pressure, inverse_square) as u64;
         let length = 64 - product.leading_zeros();
-        // from 128 on
+        // no fast path for `pressure/A₀²` of 128 or more
         if length > 55 {
             return panel;
         }
@@ -54,14 +54,14 @@ impl Panel {
         Self { inverse_square: inverse_square as u32 >> 13, mantissa, shift, ..panel }
     }
 
-    /// As [`Scalar::press`](crate::Scalar::press): panels of 0.79 to 1.27 times their rest area in air of up to 8 cells per tick. Right to 2·10⁻⁴, and
-    /// to the last places of numbers with 13 bits.
+    /// The fast path of [`Scalar::press`](crate::Scalar::press): panels of 0.79 to 1.27 times their rest area in air of up to 8 cells per tick. The result is
+    /// accurate to 2·10⁻⁴, and to the last places of numbers with 13 bits.
     ///
-    /// Nothing that counts overflows: sums of products wrap, and what they come to is small. |n| ≤ 1.28 and |u| ≤ 13.9 make |n·u| ≤ 17.8 < 2^4.2. `pressure·|n·u|` in 20
-    /// bits is at most 2³² before the shift, and clamped to 0.5 after it. 1/y ≤ 1.6 in 12 bits: their product is below 2³². A part is at most 0.31. |n|² < 12 and 1/A₀² ≤ 10.6 make
-    /// y < 128, which 25 bits hold.
+    /// No significant bits overflow: partial sums of products may wrap, but the final sums are small. |n| ≤ 1.28 and |u| ≤ 13.9 give |n·u| ≤ 17.8 < 2^4.2.
+    /// `pressure·|n·u|` in 20 bits is at most 2³² before the shift, and is clamped to 0.5 after it. 1/y ≤ 1.6 in 12 bits: their product is below 2³². A part is
+    /// at most 0.31. |n|² < 12 and 1/A₀² ≤ 10.6 give y < 128, which fits with 25 fraction bits.
     ///
-    /// Of panels beyond 32 cells, whose normals wrap, one in some thousand is taken for one near its rest area: air then takes it along too slowly.
+    /// The normals of panels beyond 32 cells wrap. One in some thousand of them is mistaken for a panel near its rest area: the air then moves it too slowly.
     #[inline(always)]
     pub(super) fn press(
         &self,
@@ -84,19 +84,19 @@ impl Panel {
             return None;
         }
         let across = shift(dot(n, u), BITS);
-        // 3/32 of the velocity, and 13/8 of that before the quotient
+        // 3/32 of the velocity; before the division by y, 13/8 times as much
         let bound = (self.inverse as u32 >> (FRACTION - PART)) * 3 / 32;
         let part = ((self.mantissa.wrapping_mul(across.unsigned_abs())) >> self.shift).min(bound * 13 / 8);
         let part = (part.wrapping_mul(reciprocal(y >> 10) >> 3) >> 12).min(bound);
-        // there are no inverse masses beyond 128
+        // inverse masses are at most 128: smaller parts need no limit
         let part = if part < bound >> 7 { part } else { part.min(self.bound(most(), bound)) } as i32;
-        // a product of 39 bits from two of 28
+        // a product of 39 bits by two of 28
         let high = times(part, across >> 8);
         let gain = half(high.wrapping_add(times(part, across & 0xff) >> 8));
         Some(each(n, |n| half(times(n, gain >> 12).wrapping_add(times(n, gain & 0xfff) >> 12))))
     }
 
-    /// The largest part of a panel of its rest area, where a corner of a panel of 1 cell² loses `most`; `usual` where that is what particles of mass 1 lose.
+    /// The limit of the part for a panel of its rest area, if a corner of a panel of 1 cell² loses at most `most`; `usual` for particles of mass 1.
     #[inline(always)]
     fn bound(&self, most: i32, usual: u32) -> u32 {
         if most < (MOST_OF_PANEL * ONE as f64) as i32 { self.lighter(most) } else { usual }
@@ -108,7 +108,7 @@ impl Panel {
         (saturate(round(signed(most, self.inverse))) >> (FRACTION - PART)) as u32
     }
 
-    /// The full range, out of the way of the rest. Normals are `m·2^k`, the largest component of m between 1 and 2.
+    /// Full range; kept out of the inlined fast path. Normals are `m·2^k`, with the largest component of m between 1 and 2.
     #[inline(never)]
     #[cold]
     pub(super) fn press_any(&self, [a, b]: [[i32; 3]; 2], air: [i32; 3], most: i32) -> [i32; 3] {
@@ -141,7 +141,8 @@ impl Panel {
     }
 }
 
-/// 1/y for y from 5/8 to 13/8, both with 15 fraction bits: a straight line, at most 11 % off, and two steps of Newton's method, which leave 1.4·10⁻⁴.
+/// 1/y for y from 5/8 to 13/8, both with 15 fraction bits: a straight line, at most 11 % off, and two steps of Newton's method, which leave an error of
+/// 1.4·10⁻⁴.
 #[inline(always)]
 const fn reciprocal(y: u32) -> u32 {
     const START: u32 = (1.9726 * (1 << 15) as f64) as u32;
@@ -190,7 +191,7 @@ mod tests {
         libm::sqrt(x.iter().map(|x| x * x).sum())
     }
 
-    /// The difference from `f64` of what a panel gains, and what it gains.
+    /// The error of a panel's gain relative to `f64`, and the gain.
     fn compare(diagonals: [[f64; 3]; 2], air: [f64; 3], [pressure, area, most]: [f64; 3]) -> [f64; 2] {
         let numbers = |x: [f64; 3]| x.map(Q13::from_f64);
         let wide = |x: [f64; 3]| numbers(x).map(Q13::to_f64);
@@ -215,7 +216,7 @@ mod tests {
             let air = [random(), random(), random()].map(|u| speed * u);
             let pressure = [1e-3, 0.02, 0.3, 20.0][k / 16 % 4];
             let [error, gain] = compare([a, b], air, [pressure, area, 3.0 / 32.0]);
-            // the last places of velocity and normal, and of the part
+            // the last places of velocity, normal and part
             let across = 1e-4 + 3e-4 * norm(air);
             let slope = 2.0 * libm::sqrt(gain * pressure).min(3.0 / 32.0) / area;
             let bound = 5e-4 * gain + across * slope + 3e-6 * norm(air) + 3e-7;
@@ -234,7 +235,7 @@ mod tests {
             let air = [random(), random(), random()].map(|u| 20.0 * u);
             let most = if k % 3 == 0 { 3.0 / 32.0 } else { 15.0 / 128.0 / 100.0 };
             let [error, gain] = compare(diagonals, air, [0.3, area, most]);
-            // of small panels a part has few places
+            // for small panels a part has few places
             let bound = 2e-3 * gain + 5e-3 * most * area * norm(air) + 3e-5;
             assert!(error < bound, "{error:e} of {gain:e}: {diagonals:?} {air:?} {area} {most}");
         }

@@ -1,12 +1,12 @@
 //! Products of 32-bit numbers in 64 bits.
 //!
-//! Most machines have an instruction for them. A Cortex-M0 keeps the lower 32 bits of a product alone and would call a routine for products of 64 by 64; from
-//! halves of 16 bits it takes four products and half the time.
+//! Most processors have an instruction for them. A Cortex-M0 has only the lower 32 bits of a product, and its compiler would call a routine for products of 64
+//! by 64 bits. Four products of 16-bit halves take half the time.
 
 use super::FRACTION;
 use crate::scalar::Rounding;
 
-/// Whether the machine multiplies to 64 bits. (Rust can't be asked for that; of the machines with the Thumb instructions it is those with atomics.)
+/// Whether the processor multiplies to 64 bits. (Rust has no `cfg` for that. Among processors with Thumb instructions it is those with atomics.)
 const WIDE: bool = cfg!(not(target_arch = "arm")) || cfg!(target_has_atomic = "32");
 
 /// `a·b`
@@ -44,7 +44,7 @@ pub(super) const fn round(product: i64) -> i64 {
     product.wrapping_add(1 << (FRACTION - 1)) >> FRACTION
 }
 
-// No sum below overflows: (2¹⁶ − 1)² + 2·(2¹⁶ − 1) < 2³² without sign, and with one 2¹⁵·(2¹⁶ − 1) + 2¹⁶ < 2³¹. The highest parts wrap, as the product may.
+// No sum below overflows: (2¹⁶ − 1)² + 2·(2¹⁶ − 1) < 2³² unsigned, and 2¹⁵·(2¹⁶ − 1) + 2¹⁶ < 2³¹ signed. The highest parts wrap, as the product may.
 
 #[inline(always)]
 const fn unsigned_by_halves(a: u32, b: u32) -> u64 {
@@ -68,12 +68,12 @@ const fn signed_by_halves(a: i32, b: i32) -> i64 {
 
 #[inline(always)]
 const fn mixed_by_halves(a: i32, b: u32) -> i64 {
-    // a = (a + 2³²) − 2³² where it is negative
+    // for a < 0: a = (a + 2³²) − 2³²
     let product = unsigned_by_halves(a as u32, b);
     product.wrapping_sub(((b & (a >> 31) as u32) as u64) << 32) as i64
 }
 
-/// Without the lowest bits, which rounding drops, as an `offset` in 256ths of a last place has none of them.
+/// Omits the lowest bits, which rounding drops: an `offset` in 256ths of a last place has none of them.
 #[inline(always)]
 const fn rounded_by_halves(a: i32, b: i32, offset: i32) -> i32 {
     let [low_a, low_b, high_a, high_b] = [a & 0xffff, b & 0xffff, a >> 16, b >> 16];
@@ -88,7 +88,7 @@ const fn rounded_by_halves(a: i32, b: i32, offset: i32) -> i32 {
 mod tests {
     use super::*;
 
-    /// Bits of all magnitudes and both signs, and all corners.
+    /// Numbers of all magnitudes and both signs, and all combinations of the extreme values.
     fn some() -> impl Iterator<Item = (i32, i32)> {
         let mut state = 1_u64;
         let mut next = move |k: usize| {

@@ -25,7 +25,7 @@ pub(super) fn divide(a: i32, b: i32) -> i32 {
 /// `a/b` with 24 fraction bits to one part in 2³⁰; `b ≠ 0`.
 #[inline(never)]
 pub(super) fn quotient(a: u128, b: u128) -> i32 {
-    // of both numbers the first 32 digits
+    // the first 32 binary digits of both numbers
     let [zeros_a, zeros_b] = [a, b].map(u128::leading_zeros);
     if zeros_a == u128::BITS {
         return 0;
@@ -42,13 +42,14 @@ pub(super) fn quotient(a: u128, b: u128) -> i32 {
 
 /// The root of a sum of squares with 48 fraction bits.
 ///
-/// Bounds: y ≤ 2³¹, so the upper product is at most 2⁶³ and the lower one adds less than 2³²; what is left has 32 bits. With e from −7 to 24 `drop` is −2 to 30.
+/// Bounds: y ≤ 2³¹, so the upper product is at most 2⁶³ and the lower one adds less than 2³²; the remaining number has 32 bits. With e from −7 to 24 `drop` is
+/// −2 to 30.
 #[inline]
 pub(super) fn root(x: u64) -> i32 {
     if x == 0 {
         return 0;
     }
-    // √x = x · 1/√x, with the exponents kept apart so that nothing is lost
+    // √x = x · 1/√x, with separate exponents so that no bits are lost
     let (y, e) = inverse_root_wide(x);
     let normal = x.leading_zeros();
     let x = x << normal;

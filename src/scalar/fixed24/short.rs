@@ -1,4 +1,4 @@
-//! Links in 32-bit products: the one wide multiplication that a Cortex-M0 has.
+//! Links by 32-bit products: a Cortex-M0 has no wider multiplication.
 
 use super::exact::{self, dot};
 use super::kernel::Kernel;
@@ -6,11 +6,11 @@ use super::quotient::divide;
 use super::{FRACTION, Fixed24, ONE, each, product};
 use crate::scalar::{Rest, Rounding};
 
-/// Edges of 13 fraction bits, products of 32 bits: links are measured to 6·10⁻⁵ cells.
+/// Link vectors of 13 fraction bits, products of 32 bits: links are measured to 6·10⁻⁵ cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Short;
 
-/// The fraction bits of an edge.
+/// The fraction bits of a link vector.
 const EDGE: u32 = 13;
 
 /// `bits/2^shift`, rounded to nearest.
@@ -19,7 +19,7 @@ const fn shift(bits: i32, shift: u32) -> i32 {
     bits.wrapping_add(1 << (shift - 1)) >> shift
 }
 
-/// `bits/2^shift`, rounded as told, for shifts of 8 and more.
+/// `bits/2^shift` with the given rounding, for shifts of 8 and more.
 #[inline(always)]
 const fn rounded(bits: i32, shift: u32, rounding: Rounding) -> i32 {
     bits.wrapping_add((rounding.offset() as i32) << (shift - 8)) >> shift
@@ -30,7 +30,7 @@ const fn times(a: i32, b: i32) -> i32 {
     a.wrapping_mul(b)
 }
 
-/// A link's edge d and `|d|² − L²`.
+/// A link's vector d and `|d|² − L²`.
 struct Edge {
     /// 13 fraction bits.
     d: [i32; 3],
@@ -39,12 +39,12 @@ struct Edge {
 }
 
 impl Edge {
-    /// The edge of a link near its rest length: `||d|² − L²| ≤ L²/8`, that is a strain within 6 %, for L between 0.61 and 2.8 cells.
+    /// The vector of a link near its rest length: `||d|² − L²| ≤ L²/8`, that is a strain within 6 %, for L between 0.61 and 2.8 cells.
     ///
-    /// For shorter ones the series would overflow.
+    /// For shorter links the series would overflow.
     ///
-    /// Squares wrap at 64 cells²: one link in a hundred that are longer than 7.5 cells is taken for one near its rest length. A correction of it moves it by less than a
-    /// cell; who wants its direction asks whether it [is short](Self::is_short).
+    /// Squares wrap at 64 cells²: of links longer than 7.5 cells, one in a hundred is mistaken for a link near its rest length. A correction then moves it by
+    /// less than a cell. Callers that need the direction check [`is_short`](Self::is_short).
     #[inline(always)]
     fn near(d: [i32; 3], rest: &Rest<Fixed24<Short>>) -> Option<Self> {
         let square = rest.square.to_bits();
@@ -55,7 +55,7 @@ impl Edge {
         ((e.wrapping_add(near) as u32) < 2 * near as u32).then_some(Self { d, e })
     }
 
-    /// Whether no component is longer than 4 cells: then squares have not wrapped, and `d/|d|` is a direction.
+    /// Whether no component exceeds 4 cells: then squares have not wrapped, and `d/|d|` is a direction.
     #[inline(always)]
     fn is_short(&self) -> bool {
         let [x, y, z] = each(self.d, |d| d.wrapping_add(4 << EDGE));
@@ -64,9 +64,9 @@ impl Edge {
 
     /// `e·(a − e·(b − e·c))` with 20 fraction bits; a and b with 17, c with 15.
     ///
-    /// Nothing overflows: |e| ≤ L²/8·2¹⁶, L² ≥ 3/8, and a part is at most 1. The largest coefficients are those of 1/|d|, in bits a ≤ L⁻³·2¹⁶,
-    /// b ≤ 3·L⁻⁵·2¹⁴ and c ≤ 5·L⁻⁷·2¹¹. So `e·c` ≤ 5/8·L⁻⁵·2²⁷ ≤ 0.91·2³⁰, which adds up to 5/48 to b; `e·(b − e·c)` ≤ 1.11·3/8·L⁻³·2³⁰ ≤ 1.82·2³⁰, which adds
-    /// up to 0.052 to a; and the last product is within 1.06·L⁻¹·2²⁹ ≤ 0.87·2³⁰.
+    /// Nothing overflows: |e| ≤ L²/8·2¹⁶, L² ≥ 3/8, and a part is at most 1. The largest coefficients are those of 1/|d|, in bits a ≤ L⁻³·2¹⁶, b ≤ 3·L⁻⁵·2¹⁴
+    /// and c ≤ 5·L⁻⁷·2¹¹. So `e·c` ≤ 5/8·L⁻⁵·2²⁷ ≤ 0.91·2³⁰, which adds up to 5/48 to b. `e·(b − e·c)` ≤ 1.11·3/8·L⁻³·2³⁰ ≤ 1.82·2³⁰, which adds up to 0.052 to
+    /// a. The last product is within 1.06·L⁻¹·2²⁹ ≤ 0.87·2³⁰.
     #[inline(always)]
     fn series(&self, [a, b, c]: [i32; 3], rounding: Rounding) -> i32 {
         let e = shift(self.e, 10);
@@ -76,7 +76,7 @@ impl Edge {
     }
 }
 
-/// Full range, out of the way of the rest.
+/// Full range; kept out of the inlined fast path.
 #[inline(never)]
 #[cold]
 fn far_correction(d: [i32; 3], rest: &Rest<Fixed24<Short>>, part: i32, rounding: Rounding) -> [i32; 3] {
@@ -84,7 +84,7 @@ fn far_correction(d: [i32; 3], rest: &Rest<Fixed24<Short>>, part: i32, rounding:
     each(d, |d| product::rounded(d, part, rounding))
 }
 
-/// Full range, out of the way of the rest.
+/// Full range; kept out of the inlined fast path.
 #[inline(never)]
 #[cold]
 fn far_direction(d: [i32; 3], rest: &Rest<Fixed24<Short>>) -> (i32, [i32; 3]) {
@@ -92,7 +92,7 @@ fn far_direction(d: [i32; 3], rest: &Rest<Fixed24<Short>>) -> (i32, [i32; 3]) {
     (excess, each(d, |d| Short::multiply(d, inverse)))
 }
 
-/// Full range, out of the way of the rest.
+/// Full range; kept out of the inlined fast path.
 #[inline(never)]
 #[cold]
 fn far_reciprocal(x: i32) -> i32 {
@@ -130,27 +130,27 @@ impl Kernel for Short {
         product::rounded(a, b, Rounding::NEAREST)
     }
 
-    /// To 14 fraction bits of the ratio: two products, where [`multiply`](Self::multiply) has four.
+    /// Uses 14 fraction bits of the ratio: two products instead of the four of [`multiply`](Self::multiply).
     #[inline(always)]
     fn scaled(a: i32, ratio: i32, rounding: Rounding) -> i32 {
         let ratio = shift(ratio, 10);
         times(a >> 16, ratio).wrapping_shl(2).wrapping_add(rounded(times(a & 0xffff, ratio), 14, rounding))
     }
 
-    /// Right to 5·10⁻⁵.
+    /// Accurate to 5·10⁻⁵.
     ///
-    /// Nothing overflows: `m·SLOPE < 2¹⁶·2¹⁵`, `m·y < 2³²` as y < 2¹⁶, and with `m·y = 2³¹·(1 − ε)` the last
-    /// product is `y·2¹⁶·(1 + ε) = 2⁴⁷/m·(1 − ε²) ≤ 2³²`, but for a rounding; a test tries every m.
+    /// Nothing overflows: `m·SLOPE < 2¹⁶·2¹⁵`, `m·y < 2³²` as y < 2¹⁶. With `m·y = 2³¹·(1 − ε)` the last product is `y·2¹⁶·(1 + ε) = 2⁴⁷/m·(1 − ε²) ≤ 2³²`, up
+    /// to a rounding error; a test tries every m.
     #[inline(always)]
     fn reciprocal(x: i32) -> i32 {
         const START: u32 = (24 << 16) / 17;
         const SLOPE: u32 = (8 << 16) / 17;
-        // most are those of pivots, between 1 and 4
+        // most arguments are pivots, between 1 and 4
         if !(ONE..4 * ONE).contains(&x) {
             return far_reciprocal(x);
         }
         let exponent = x as u32 >> 25;
-        // from here on as in [`newton::reciprocal`], m with 15 fraction bits, y with 16
+        // the rest follows [`newton::reciprocal`], with 15 fraction bits of m and 16 of y
         let m = (x >> 9 >> exponent) as u32;
         let mut y = START - ((m * SLOPE) >> 15);
         for _ in 0..2 {
@@ -193,7 +193,7 @@ mod tests {
     use super::*;
     use crate::scalar::{Q13, Scalar};
 
-    /// Bits of all magnitudes and both signs.
+    /// Numbers of all magnitudes and both signs.
     fn some(count: usize) -> impl Iterator<Item = i32> {
         let mut state = 1_u64;
         (0..count).map(move |k| {
@@ -230,7 +230,7 @@ mod tests {
             while stretch * length < 7.0 {
                 let d = unit.map(|component| Q13::from_f64(component * length * stretch));
                 let exact = libm::sqrt(d.map(|d| d.to_f64() * d.to_f64()).iter().sum::<f64>());
-                // half a last place of an edge in three components, roundings, and the first term that a series leaves out
+                // half a last place of a link vector in three components, roundings, and the first term omitted by a series
                 let strain = stretch - 1.0;
                 let bound = 1.3e-4 + if strain.abs() < 0.07 { 5.0 * strain.powi(4) * length } else { 0.0 };
                 let (excess, normal) = Q13::direction(d, &rest);
@@ -251,7 +251,7 @@ mod tests {
         }
     }
 
-    /// Beyond the length at which squares wrap.
+    /// Links longer than the length at which squares wrap.
     #[test]
     fn directions_of_long_links_are_right() {
         let rest = Rest::<Q13>::spanning(Q13::ONE, Q13::ZERO);
@@ -284,12 +284,12 @@ mod tests {
         assert_eq!(Q13::direction([Q13::ZERO; 3], &rest), (-Q13::ONE, [Q13::ZERO; 3]));
     }
 
-    /// Every reciprocal of a pivot: the upper 16 bits decide.
+    /// Every reciprocal of a pivot: only the upper 16 bits matter.
     #[test]
     fn every_reciprocal_is_right_to_its_bound() {
         for exponent in 0..2 {
             for m in 1 << 15..1 << 16 {
-                // the least and the largest number of these bits
+                // the smallest and the largest number with these bits
                 for x in [m << 9 << exponent, ((m + 1) << 9 << exponent) - 1] {
                     let expected = f64::from(ONE) * f64::from(ONE) / f64::from(x);
                     assert!((f64::from(Short::reciprocal(x)) / expected - 1.0).abs() < 5e-5, "{x}");
@@ -298,7 +298,7 @@ mod tests {
         }
     }
 
-    /// Where the proofs beside the code are tightest: the shortest and the longest link of the fast way, strained as far as it goes, with the largest part.
+    /// The corners of the overflow bounds: the shortest and the longest link of the fast path, at its largest strain, with the largest part.
     #[test]
     fn nothing_overflows_at_the_corners() {
         for length in [0.613, 0.65, 0.6667, 0.7072, 1.0, 2.0, 2.82] {
@@ -308,7 +308,7 @@ mod tests {
                     let mut d = [Q13::ZERO; 3];
                     d[axis] = Q13::from_f64(length * (1.0 + strain));
                     let (excess, normal) = Q13::direction(d, &rest);
-                    // roundings, and what the series leave out
+                    // roundings, and the terms omitted by the series
                     let bound = 1.3e-4 + 5.0 * strain.powi(4) * length;
                     assert!((excess.to_f64() - length * strain).abs() < bound, "{length} × {strain}: {excess:?}");
                     assert!(
