@@ -129,7 +129,8 @@ pub trait Meeting<S: Scalar, const W: usize, const H: usize> {
     /// The displacement of a particle so far in this substep.
     fn moved(&self, particles: &Particles<S, W, H>, node: Node) -> Vec3<S>;
 
-    /// Separates two particles: each gets its share of the contact's correction. The contact's surface is the second particle.
+    /// Separates two particles: the first moves by its share of the contact's correction, the second by its share the opposite way. The contact's surface is the
+    /// second particle.
     fn separate(&mut self, particles: &mut Particles<S, W, H>, pair: [Node; 2], contact: &Contact<S>);
 }
 

@@ -26,8 +26,8 @@
 //! describe sheets without a line of Rust (feature `std`). [The guide](guide) has short pages on sizes, solvers, wind, colliders, drawing, boards and common
 //! problems.
 //!
-//! To change the number type, change the name in `Sheet<Q24, …>`; to change the solver, change the last argument; a wind is one more member of the tuple of
-//! forces.
+//! To change the number type, change the name in `Sheet<Q24, …>`. To change the solver, change the last argument of `scene`. A wind is one more member of a
+//! tuple of forces.
 //!
 //! # Reading order
 //!

@@ -205,7 +205,7 @@ pub fn bounds<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S
     })
 }
 
-/// Whether every number of the state is finite.
+/// Whether all positions and velocities are finite.
 pub fn is_finite<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>) -> bool {
     let mut vectors = particles.position.values().chain(particles.velocity.values());
     vectors.all(|v| v.x.is_finite() && v.y.is_finite() && v.z.is_finite())

@@ -96,7 +96,7 @@ pub fn positions<S: Scalar, const W: usize, const H: usize>(
     particles.position.values().map(|place| single(units.metres(place)))
 }
 
-/// The unit normals of all particles on the front, row by row: see [`normal()`].
+/// The unit normals of all particles on the front, row by row: see [`normal`].
 pub fn normals<S: Scalar, const W: usize, const H: usize>(
     particles: &Particles<S, W, H>,
 ) -> impl Iterator<Item = [f32; 3]> {

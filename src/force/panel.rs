@@ -14,7 +14,7 @@ use crate::vectors::{SIDE_BY_SIDE, left, right};
 ///
 /// In aerodynamics, too, a quadrilateral panel has its normal from its diagonals (J. Hess, A. Smith, *Calculation of potential flow about arbitrary bodies*,
 /// 1967). [`AerodynamicWind`](crate::AerodynamicWind) acts on both triangles of a cell instead, each along its own normal. On a flat cell that does not turn
-/// both forces are equal. Panel wind takes neither a root nor, in fixed point, a division: on a board without a floating-point unit it costs about a tenth. It
+/// both forces are equal. Panel wind takes neither a root nor, in fixed point, a division: on a board without a floating-point unit it costs about a tenth of that. It
 /// treats both sides alike: a mirrored sheet moves as the mirror image.
 ///
 /// In fixed point, relative velocities of up to 8 cells per tick at panels of 0.8 to 1.25 times their rest area are computed by a fast path, in numbers of 13
