@@ -11,7 +11,7 @@ use crate::Result;
 ///
 /// # Errors
 ///
-/// If the file is not a 32-bit ELF file.
+/// If the file can't be read or is not a 32-bit ELF file.
 pub fn of(program: &Path) -> Result<[u64; 2]> {
     let data = std::fs::read(program)?;
     Ok(footprint(&ElfFile32::parse(data.as_slice())?))
