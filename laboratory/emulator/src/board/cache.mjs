@@ -1,5 +1,5 @@
-// The cache between the RP2040's processor and its flash, which rp2040js lacks: 16 KB, two-way set-associative, lines of 8 bytes (RP2040 datasheet, 2.6.3.1). A miss replaces the least
-// recently used line. The cost of a miss is an estimate: at 200 MHz the flash is read at 100 MHz, four bits at a time, in about 30 cycles of the flash's clock.
+// The cache between the RP2040's processor and its flash, which rp2040js lacks: 16 KB, two-way set-associative, lines of 8 bytes (RP2040 datasheet, 2.6.3.1). A miss replaces the
+// least recently used line. The cost of a miss is an estimate: at 200 MHz the flash is read at 100 MHz, four bits at a time, in about 30 cycles of the flash's clock.
 const CYCLES_OF_A_MISS = 60;
 const LINE_BITS = 3;
 const SETS = 1024;

@@ -22,8 +22,8 @@ class Regulator {
     get volts() { return 0.8 + 0.05 * ((this.value >> 4 & 15) - 5); }
 }
 
-// Starts the program of a file as the boot ROM does. `emulator` is the folder of rp2040js; `wrong` receives the chip's complaints. With `cached`, reads of code and data from the flash
-// go through a model of its cache. Without, they take no additional time.
+// Starts the program of a file as the boot ROM does. `emulator` is the folder of rp2040js; `wrong` receives the chip's complaints. With `cached`, reads of code and data from the
+// flash go through a model of its cache. Without, they take no additional time.
 export async function load(emulator, flashFile, wrong, cached = false) {
     const { RP2040, GPIOPinState } = await import(pathToFileURL(`${emulator}/dist/esm/index.js`).href);
     const chip = new RP2040();

@@ -236,8 +236,8 @@ fn page(figures: &[Figure]) -> String {
             text += &row(&[name, number], &[cloth, memory, figure.flash.to_string()]);
         }
     }
-    text += "\n## Routines that a step calls\n\nFor every scene of this page, a test follows the calls of a step in fixed point through the linked program for the Cortex-M0. As far as they \
-             can be followed, no step reaches a routine for divisions or 64-bit products, or a panic. The program links no routine for floats and no allocator.\n";
+    text += "\n## Routines that a step calls\n\nFor every scene of this page, a test follows the calls of a step in fixed point through the linked program for the Cortex-M0. \
+             As far as they can be followed, no step reaches a routine for divisions or 64-bit products, or a panic. The program links no routine for floats and no allocator.\n";
     text
 }
 
