@@ -4,7 +4,7 @@
 /// Particles a side.
 pub const SIDE: usize = 10;
 
-/// A sheet of [`SIDE`] × [`SIDE`] particles and what acts on it.
+/// A sheet of [`SIDE`] × [`SIDE`] particles, and everything that acts on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
     pub name: &'static str,

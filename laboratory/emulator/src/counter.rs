@@ -10,7 +10,7 @@ use crate::{Result, TOOLCHAIN, root, target};
 /// The function that a program calls before and after each counted part.
 const MARK: &str = "clock::mark";
 
-/// The plugin, built.
+/// The built plugin.
 #[derive(Debug)]
 pub struct Counter(PathBuf);
 

@@ -52,7 +52,7 @@ enum Board {
     Pico,
     /// Raspberry Pi Pico, OLED of 128 × 64 pixels on I2C, in rp2040js
     Ssd1306,
-    /// Waveshare RP2040-LCD-1.28, round LCD and an accelerometer that feels a gesture, in rp2040js
+    /// Waveshare RP2040-LCD-1.28, round LCD and an accelerometer that measures a gesture, in rp2040js
     Tilt,
 }
 

@@ -80,7 +80,7 @@ impl Qemu {
     }
 
     fn go(&mut self) -> Result<()> {
-        // a breakpoint stops before its instruction: without it, one step leads past
+        // a breakpoint stops before its instruction: it is cleared for one step, which leads past it
         let at = self.gdb.register(15)?;
         if self.stops.contains(&at) {
             self.gdb.clear_breakpoint(at)?;

@@ -4,8 +4,8 @@
 // { stop, failed, log, stack: [end, start], until, shots: [picture, …], cached, … }: addresses in the program, the last step (null: until a second passes without a
 // picture), numbers of pictures to record (null: all), whether the flash's cache is modelled, and the script's own orders.
 // Writes "step n" to the standard error output after every picture, and prints JSON at the end:
-// { steps, shots: [[pixel, …], …], log: [byte, …], stack: [byte, …], on, idle, errors, frequency, … }. For that second without a picture, idle is the number of bytes sent to the
-// display and of cycles in which the processor was awake.
+// { steps, shots: [[pixel, …], …], log: [byte, …], stack: [byte, …], on, idle, errors, frequency, … }. For that second without a picture, idle has the number of bytes sent to the
+// display and the number of cycles in which the processor was awake.
 import { readFile } from 'node:fs/promises';
 import { argv, stderr, stdout } from 'node:process';
 import { load } from './rp2040.mjs';

@@ -5,8 +5,8 @@ use crate::image::Image;
 /// Floating-point types: a chip without a unit for them calls routines.
 const FLOATS: [&str; 2] = ["f32", "f64"];
 
-/// Checks a program that only moves a sheet. It contains no allocator and, in fixed point, no routine for floats. A step in fixed point calls no routine that divides or
-/// multiplies, and no panic.
+/// Checks a program that only moves a sheet. It contains no allocator and, in fixed point, no routine for floats. A step in fixed point reaches no routine
+/// for divisions or 64-bit products, and no panic.
 pub(crate) fn check(image: &Image, number: &str, scene: &str) {
     let allocator = image.names().find(|name| name.contains("alloc::"));
     assert_eq!(allocator, None, "{scene} in {number}: something allocates");
