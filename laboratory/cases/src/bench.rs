@@ -1,5 +1,5 @@
-//! The scenes that are measured, on 16 × 16 particles in any number type. Firmware counts their instructions and links them one by one; the
-//! host plays them too.
+//! The measured scenes, on 16 × 16 particles in any number type. Firmware counts their instructions and links them one by one. Hosts play them,
+//! too.
 
 use kerchief::force::Force;
 use kerchief::self_contact::Thickness;
@@ -15,13 +15,13 @@ pub const SIDE: usize = 16;
 /// Substeps of XPBD, or sweeps of position Verlet, in a frame.
 pub const SWEEPS: u32 = 8;
 
-/// With which settings and substeps the line solver keeps the sheet's strain in motion under 1 %.
+/// Settings of the line solver, and its substeps in a frame, with which the strain of the moving sheet stays under 1 %.
 pub const LINES: (Lines, u32) = (Lines::with_sweeps(1).within(0.03), 1);
 
-/// Frames before the counted ones: links are then stretched as they usually are.
+/// Frames before the counted ones, after which the strains of the links are typical.
 pub const WARM_UP: u32 = 2;
-/// Frames that are counted: two, except that the line solver, which sweeps as often as it has to, and a sheet at rest, whose frame is short, are counted to the
-/// end of a second.
+/// The number of counted frames: two. Scenes of the line solver, whose number of sweeps varies, and of a sheet at rest, whose frame is short, are counted to the end of the
+/// first second.
 pub const fn counted(scene: &str) -> u32 {
     let is_long = is(Some("lines"), scene)
         || is(Some("damped lines"), scene)
@@ -30,14 +30,14 @@ pub const fn counted(scene: &str) -> u32 {
     if is_long { 60 - WARM_UP } else { 2 }
 }
 
-/// What is done with a scene.
+/// A visitor of the measured scenes.
 pub trait Bench {
-    /// The number type that is wanted; without one all are.
+    /// The only number type to compile. `None`: all.
     const NUMBER: Option<&'static str>;
-    /// The scene that is wanted; without one all are.
+    /// The only scene to compile. `None`: all.
     const SCENE: Option<&'static str>;
 
-    /// Meets a scene with a sheet at its start.
+    /// Receives a scene and its sheet in the initial state.
     fn scene<S, F, L, C, V>(&mut self, name: &'static str, scene: &Scene<F, L, C, V>, cloth: Cloth<S, SIDE, SIDE>)
     where
         S: Scalar,
@@ -52,7 +52,7 @@ const fn units(substeps: u32) -> Units {
     Units::sheet([SIDE, SIDE], [10.0, 10.0], 1.0, 1.0 / 60.0, substeps)
 }
 
-/// Upright, on two corners.
+/// An upright sheet, pinned at its two upper corners.
 fn cloth<S: Scalar>(units: &Units) -> Cloth<S, SIDE, SIDE> {
     let mut cloth = Cloth::hang(units, units.point([0.0; 3]));
     cloth.pin(Node::new(0, 0));
@@ -60,12 +60,12 @@ fn cloth<S: Scalar>(units: &Units) -> Cloth<S, SIDE, SIDE> {
     cloth
 }
 
-/// Any motion is more than this.
+/// Thresholds below any motion: the sheet never comes to rest.
 const NEVER: Stillness = Stillness { speed: 1e-9, ..Stillness::DEFAULT };
-/// At rest in the first frames.
+/// Thresholds so large that the sheet is at rest from the first frames on.
 const SOON: Stillness = Stillness { speed: 10.0, acceleration: 1e3, time: 1.0 / 60.0 };
 
-/// Shows a bench every scene that it wants; what it doesn't want is not even compiled.
+/// Passes the wanted scenes to a bench. The other scenes are not compiled.
 macro_rules! scenes {
     ($bench:ident: $B:ident, $S:ident, $($name:literal: $units:ident, $forces:expr, $links:expr, $colliders:expr, $solver:expr;)*) => {
         $(
@@ -93,7 +93,7 @@ fn gravity<S: Scalar>(units: &Units) -> Gravity<S> {
     Gravity::new(units.acceleration([0.0, 0.0, -9.81]))
 }
 
-/// Ten times as stiff as the thesis': what hangs from two corners is strained by 0.4 %.
+/// Ten times the stiffness of the thesis. A sheet that hangs from two corners is strained by 0.4 %.
 fn stretch<S: Scalar>(units: &Units) -> Stretch<S> {
     Stretch::new(units, units.stiffness(942_700.0))
 }
@@ -165,7 +165,7 @@ fn play<S: Scalar, B: Bench>(bench: &mut B) {
     }
 }
 
-/// To both pins, too long to pull.
+/// Tethers to both pins, so long that they stay slack.
 fn tethers<S: Scalar>(units: &Units) -> Tether<S, 2> {
     let Ok(tethers) = Tether::new(units, &[Node::new(0, 0), Node::new(SIDE - 1, 0)], 1.0) else {
         unreachable!("two corners fit");

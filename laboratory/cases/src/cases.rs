@@ -1,4 +1,4 @@
-//! The scenes: one for each thing that can act on a sheet, and the built-in scenes at the size of a board.
+//! The scenes of the digests: one for each kind of force, link, collider and motion of a pin, and the built-in scenes on a grid that fits a board.
 
 use crate::setup::{Ball, Drag, Ground, Mass, Rod, SIDE, Setup, Spring, Surface, Wind};
 
@@ -84,7 +84,7 @@ const AERODYNAMIC_WIND: Setup = Setup {
 
 const PANEL_WIND: Setup = Setup { name: "panel-wind", wind: Some(Wind::Panel([1.0, 5.0, 0.0])), ..AERODYNAMIC_WIND };
 
-// The sheet touches the ball from the start: an explicit solver's few milliseconds are enough.
+// The sheet touches the ball from the start, because explicit solvers play only a few milliseconds.
 const BALL_WITH_FRICTION: Setup = Setup {
     name: "ball-with-friction",
     mass: Mass::PerArea(0.25),

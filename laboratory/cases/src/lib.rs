@@ -1,7 +1,7 @@
-//! The scenes that hosts and boards play alike.
+//! The scenes that both hosts and boards play.
 //!
-//! [`CASES`] are those of the digests: [`METHODS`] play each of them in all [`NUMBERS`], and [`TABLE`] has the digests. [`bench`] has the scenes whose
-//! instructions are counted.
+//! [`CASES`] are the scenes of the digests. All [`METHODS`] play each of them in all [`NUMBERS`], and [`TABLE`] has the digests. [`bench`] has the scenes
+//! whose instructions are counted.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -1,4 +1,4 @@
-//! Plays a scene in any number type by any solver. It needs nothing but the crate: a board can run it too.
+//! Plays a scene in any number type by any solver, without the standard library: boards can run it, too.
 
 use kerchief::collider::{Contact, Moving};
 use kerchief::link::{Visitor, WithDampers};
@@ -10,12 +10,12 @@ use kerchief::{
 
 use crate::setup::{self, Mass, SIDE, Setup, Surface, Wind};
 
-/// A number type: its name, and how a scene is played in it.
+/// A number type, with a function that plays scenes in it.
 #[derive(Clone, Copy, Debug)]
 pub struct Number {
     /// Its name.
     pub name: &'static str,
-    /// Plays a scene, and shows the digest after every frame.
+    /// Plays a scene, and passes the digest after every frame to the closure.
     pub play: fn(&Setup, Method, &mut dyn FnMut(u32)) -> Outcome,
 }
 
@@ -23,8 +23,8 @@ const fn number<S: Scalar>() -> Number {
     Number { name: S::NAME, play: play::<S> }
 }
 
-/// Every number type, in the order of the table. Boards leave out f64, for which they have no unit: it would take minutes. A static, so that what plays is compiled here
-/// and not once more in each program.
+/// Every number type, in the order of the table. Boards leave out f64: without a unit for it they would take minutes. This is a static, so that the generic code is compiled
+/// in this crate only, not again in each program.
 pub static NUMBERS: &[Number] = &[
     number::<f32>(),
     #[cfg(not(target_os = "none"))]
@@ -33,7 +33,7 @@ pub static NUMBERS: &[Number] = &[
     number::<Q13>(),
 ];
 
-/// What moves the sheet.
+/// The solver that plays a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// [`ForwardEuler`](kerchief::ForwardEuler)
@@ -54,7 +54,7 @@ pub enum Method {
 pub const METHODS: [Method; 6] =
     [Method::ForwardEuler, Method::BackwardEuler, Method::Verlet, Method::Leapfrog, Method::Xpbd, Method::Lines];
 
-/// What came of it.
+/// The result of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Outcome {
     /// Whether all numbers of the sheet are finite.
@@ -63,17 +63,17 @@ pub struct Outcome {
     pub bounds: [[f64; 3]; 2],
 }
 
-/// How fast a scene is played.
+/// The frames and substeps of a run.
 struct Pace {
-    /// The part of the scene's own frame that is one frame here.
+    /// The length of a frame, as a multiple of the scene's own frame.
     part: f64,
     substeps: u32,
     frames: u32,
 }
 
-/// Plays `setup` in numbers of type `S` and shows `frame` the digest after every frame.
+/// Plays `setup` in numbers of type `S` and passes the digest after every frame to `frame`.
 fn play<S: Scalar>(setup: &Setup, method: Method, frame: &mut dyn FnMut(u32)) -> Outcome {
-    // Long enough for the thesis' sheets to meet the ball. Explicit solvers are stable for tiny steps only; three and six are no powers of two.
+    // Verlet, XPBD and lines play long enough for the thesis' sheets to touch the ball. Explicit solvers are stable for tiny steps only. Three and six are no powers of two.
     match method {
         Method::ForwardEuler => {
             run::<S, _>(setup, ForwardEuler, &Pace { part: 1.0 / 64.0, substeps: 16, frames: 3 }, frame)
@@ -147,7 +147,7 @@ fn sheet<S: Scalar>(setup: &Setup, units: &Units) -> Cloth<S, SIDE, SIDE> {
 
 type Springs<S> = (Damped<Stretch<S>, S>, Option<Damped<Shear<S>, S>>, Option<Damped<Bend<S>, S>>);
 
-/// The links of a scene: the limit and the tethers are there or not, too.
+/// The links of a scene. Shear, bend, the limit and the tethers are optional.
 struct Held<S: Scalar> {
     springs: Springs<S>,
     limit: Option<StrainLimited<Springs<S>, S>>,

@@ -1,10 +1,10 @@
-//! What a digest's scene consists of: plain SI numbers, so that a case is data and all cases share the code that plays them.
+//! The description of a scene of the digests, in plain SI numbers. A scene is data; all scenes share the code that plays them.
 #![allow(missing_docs, reason = "names that say it, with their units where they have one")]
 
 /// Particles a side.
 pub const SIDE: usize = 10;
 
-/// A sheet of [`SIDE`] × [`SIDE`] particles and what acts on it.
+/// A sheet of [`SIDE`] × [`SIDE`] particles, and everything that acts on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
     pub name: &'static str,
@@ -17,14 +17,14 @@ pub struct Setup {
     pub mass: Mass,
     /// The factor by which border particles are heavier.
     pub hem: Option<f64>,
-    /// Particles held where they start, `[column, row]`.
+    /// Particles pinned at their initial positions, `[column, row]`.
     pub pins: &'static [[usize; 2]],
-    /// The first of the pins travels this far in a frame, cells.
+    /// Displacement of the first pin in a frame, cells.
     pub hand: Option<[f64; 3]>,
     pub stretch: Spring,
     pub shear: Option<Spring>,
     pub bend: Option<Spring>,
-    /// The largest strain that links may have.
+    /// The largest strain of links.
     pub limit: Option<f64>,
     /// The slack of tethers to the pins.
     pub tether: Option<f64>,
@@ -35,7 +35,7 @@ pub struct Setup {
     pub ball: Option<Ball>,
     pub rod: Option<Rod>,
     pub ground: Option<Ground>,
-    /// A frame, s.
+    /// Length of a frame, s.
     pub frame: f64,
 }
 
@@ -59,7 +59,7 @@ pub struct Spring {
 pub enum Drag {
     /// γ, 1/s
     Rate(f64),
-    /// The part of its displacement that a sheet loses in a frame, however long it is.
+    /// The fraction of its displacement that a sheet loses in a frame, whatever the frame's length.
     Verlet(f64),
 }
 

@@ -1,4 +1,4 @@
-//! Digests of the scenes, as `UPDATE_DIGESTS=1 cargo test -p cases --test digests` writes them: nobody reads the number.
+//! Digests of the scenes, written by `UPDATE_DIGESTS=1 cargo test -p cases --test digests` and not meant to be read.
 #![allow(clippy::unreadable_literal)]
 
 /// Scene, solver, and the digests in f32, f64, q24, q13.

@@ -1,8 +1,8 @@
-//! Equal numbers everywhere: one digest for each scene, solver and number type, the same in debug and release builds and on every
-//! target. Only `+ − × ÷` and the correctly rounded root are used, in one order, so this holds for floats too.
+//! Equal numbers everywhere: each scene, solver and number type has one digest, the same in debug and release builds and on every target.
+//! This includes floats: only `+ − × ÷` and the correctly rounded square root are used, in one order.
 //!
-//! After a change that means to move sheets otherwise, `UPDATE_DIGESTS=1 cargo test -p cases --test digests` writes `src/table.rs` anew, and
-//! still fails. The tests `boards` of the emulator hold boards to the same table.
+//! After an intended change of the motion, `UPDATE_DIGESTS=1 cargo test -p cases --test digests` rewrites `src/table.rs`. That run still
+//! fails, because it was compiled with the old table. The tests `boards` of the emulator compare boards with the same table.
 
 use std::fmt::Write;
 
@@ -17,7 +17,7 @@ fn pairs() -> impl Iterator<Item = (Setup, Method)> {
     CASES.into_iter().flat_map(|case| METHODS.into_iter().map(move |method| (case, method)))
 }
 
-/// The last digest, and the sheet's whereabouts.
+/// The digest after the last frame, and the state of the sheet.
 fn outcome(number: &Number, case: &Setup, method: Method) -> (u32, Outcome) {
     let mut last = 0;
     let outcome = (number.play)(case, method, &mut |digest| last = digest);
@@ -55,7 +55,7 @@ fn digests_are_those_of_the_table() {
 fn write(rows: &[(&str, String, Vec<u32>)]) {
     let names = NUMBERS.iter().map(|number| number.name).collect::<Vec<_>>().join(", ");
     let mut text = format!(
-        "//! Digests of the scenes, as `UPDATE_DIGESTS=1 cargo test -p cases --test digests` writes them: nobody reads the number.\n\
+        "//! Digests of the scenes, written by `UPDATE_DIGESTS=1 cargo test -p cases --test digests` and not meant to be read.\n\
          #![allow(clippy::unreadable_literal)]\n\n\
          /// Scene, solver, and the digests in {names}.\n\
          pub const TABLE: &[(&str, &str, [u32; {}])] = &[\n",
@@ -70,11 +70,11 @@ fn write(rows: &[(&str, String, Vec<u32>)]) {
     std::fs::write(path, text).expect("the table can be written");
 }
 
-/// What the table keeps is worth keeping: all number types tell the same story.
+/// The table doesn't preserve wrong motion: in every number type the box around the sheet is close to that in f64.
 #[test]
 fn number_types_agree() {
     for (case, method) in pairs() {
-        // cells; what hangs between the curtain's pegs starts on the axis of its rod, and rounding says which way it has to go
+        // cells; particles between the curtain's pegs start on the axis of its rod, and rounding decides in which direction they leave it
         let bound = if case.name == "curtain" { 0.2 } else { 0.01 };
         let outcomes: Vec<_> = NUMBERS.iter().map(|number| (number.name, outcome(number, &case, method).1)).collect();
         let reference = outcomes.iter().find(|(name, _)| *name == f64::NAME).expect("f64 is a number type").1;
@@ -85,12 +85,12 @@ fn number_types_agree() {
     }
 }
 
-/// The largest difference of two boxes, cells.
+/// The largest difference between the coordinates of two boxes, cells.
 fn farthest(a: [[f64; 3]; 2], b: [[f64; 3]; 2]) -> f64 {
     a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// The scenes that carry a built-in scene's name are that scene on a smaller grid, but for what a sheet does with itself. Those that live from it are none.
+/// Each scene with the name of a built-in scene is that scene on a smaller grid, without self-contact. Built-in scenes about self-contact have no counterpart here.
 #[test]
 fn scenes_of_the_files_are_the_files() {
     let mut missing: Vec<_> = kerchief::host::BUILT_IN.iter().map(|scene| scene.name).collect();
@@ -103,7 +103,7 @@ fn scenes_of_the_files_are_the_files() {
     assert_eq!(missing, ["heap", "fold"]);
 }
 
-/// What a file says in the terms of a [`Setup`]; which particles are pinned depends on the grid and is taken from `case`.
+/// Converts a scene file to a [`Setup`]. Pins depend on the grid, and are taken from `case`.
 fn read(file: &Description, case: &Setup) -> Setup {
     let surface = |surface: kerchief::host::Surface| Surface { margin: surface.margin, friction: surface.friction };
     let spring = |spring: kerchief::host::Spring| Spring { stiffness: spring.stiffness, damping: spring.damping };
@@ -117,7 +117,7 @@ fn read(file: &Description, case: &Setup) -> Setup {
         upright: sheet.pose == kerchief::host::Pose::Hang,
         origin: sheet.origin,
         mass: if sheet.shares_area() {
-            // to the digits of the file
+            // rounded to the digits of the file
             Mass::PerArea((sheet.mass * cells / (sheet.width * sheet.height) * 1e9).round() / 1e9)
         } else {
             Mass::PerParticle(sheet.mass)

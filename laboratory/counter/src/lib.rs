@@ -1,13 +1,13 @@
-//! A plugin for QEMU that counts executed instructions. It shares nothing with the boards' clock: QEMU tells it which blocks of instructions run, so
-//! that it needs neither a timer nor `-icount`.
+//! A plugin for QEMU that counts executed instructions. It is independent of the boards' clock: QEMU reports the blocks of instructions that run, so
+//! that the plugin needs neither a timer nor `-icount`.
 //!
 //! ```sh
 //! qemu-system-arm … -plugin libcounter.so,mark=ADDRESS,counts=FILE
 //! ```
 //!
-//! Whenever the function at the address starts, the number of instructions that ran before is a line of the file.
+//! Whenever the function at the address starts, the plugin appends a line to the file: the number of instructions executed before.
 //!
-//! The interface is that of QEMU's `qemu-plugin.h`, version 1 (QEMU 4.2 to 8.2), declared by hand: distributions don't ship the header.
+//! The interface is QEMU's `qemu-plugin.h`, version 1 (QEMU 4.2 to 8.2). It is declared by hand, because distributions don't ship the header.
 #![allow(unsafe_code, reason = "QEMU calls it, and is called, as C")]
 
 use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
@@ -16,19 +16,19 @@ use std::io::Write;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// The version of the interface. QEMU refuses those that it doesn't know.
+/// The version of the interface. QEMU refuses versions that it doesn't know.
 #[unsafe(no_mangle)]
 #[allow(non_upper_case_globals, reason = "QEMU looks for this name")]
 pub static qemu_plugin_version: c_int = 1;
 
-/// A block of instructions that run one after the other, and are left at the last alone.
+/// A translation block: instructions that run in sequence and are left only after the last.
 #[repr(C)]
 struct Block([u8; 0]);
 
-/// What runs when a block starts: with the number of the processor and what was registered.
+/// A callback at the start of a block. Its arguments are the number of the processor and the registered data.
 type Started = extern "C" fn(c_uint, *mut c_void);
 
-/// `QEMU_PLUGIN_CB_NO_REGS`: registers aren't looked at.
+/// `QEMU_PLUGIN_CB_NO_REGS`: the callback accesses no registers.
 const NO_REGISTERS: c_int = 0;
 
 unsafe extern "C" {
@@ -42,7 +42,7 @@ unsafe extern "C" {
 static COUNT: AtomicU64 = AtomicU64::new(0);
 static MARK: OnceLock<Mark> = OnceLock::new();
 
-/// What the command line asks for.
+/// The arguments of the plugin.
 struct Mark {
     address: u64,
     counts: File,
@@ -66,11 +66,11 @@ impl Mark {
     }
 }
 
-/// What QEMU calls first.
+/// The entry point, which QEMU calls first.
 ///
 /// # Safety
 ///
-/// `words` are as many C strings as `count` says.
+/// `words` must point to `count` C strings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn qemu_plugin_install(
     plugin: u64,
@@ -79,7 +79,7 @@ pub unsafe extern "C" fn qemu_plugin_install(
     words: *const *const c_char,
 ) -> c_int {
     let word = |index| {
-        // SAFETY: the caller passes so many strings.
+        // SAFETY: the caller passes `count` strings, and `index` is less.
         let word = unsafe { CStr::from_ptr(*words.add(index)) };
         word.to_string_lossy().into_owned()
     };
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn qemu_plugin_install(
     if let Err(error) = mark.and_then(|mark| MARK.set(mark).map_err(|_| "it is loaded twice".to_owned())) {
         return complain(&error);
     }
-    // SAFETY: the plugin's own number, and a function that stays.
+    // SAFETY: the plugin's own identifier, and a function that lives as long as the process.
     unsafe { qemu_plugin_register_vcpu_tb_trans_cb(plugin, translated) };
     0
 }
@@ -97,9 +97,9 @@ fn complain(error: &str) -> c_int {
     1
 }
 
-/// Has a block counted wherever it starts.
+/// Registers the callback of a newly translated block.
 extern "C" fn translated(_plugin: u64, block: *mut Block) {
-    // SAFETY: QEMU's own block, while it is translated.
+    // SAFETY: QEMU passes a valid block, which is used only while it is translated.
     unsafe {
         let instructions = qemu_plugin_tb_n_insns(block);
         let is_mark = MARK.get().is_some_and(|mark| mark.address == qemu_plugin_tb_vaddr(block));

@@ -1,4 +1,4 @@
-//! The boards that show something.
+//! The boards with a display or a serial output.
 
 pub mod feather;
 pub mod lcd;

@@ -1,4 +1,4 @@
-//! A counter of instructions that shares nothing with the clock of the boards: the plugin of the package `counter`, for QEMU.
+//! Counts instructions by a QEMU plugin, the package `counter`. It is independent of the boards' clock.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,10 +7,10 @@ use std::process::Command;
 use crate::program::Program;
 use crate::{Result, TOOLCHAIN, root, target};
 
-/// The function that a program calls before and after what it counts.
+/// The function that a program calls before and after each counted part.
 const MARK: &str = "clock::mark";
 
-/// The plugin, built.
+/// The built plugin.
 #[derive(Debug)]
 pub struct Counter(PathBuf);
 
@@ -20,7 +20,7 @@ impl Counter {
         let mut cargo = Command::new("rustup");
         cargo.args(["run", TOOLCHAIN, "cargo", "build", "--quiet", "--locked", "--release", "-p", "counter"]);
         cargo.arg("--target-dir").arg(target());
-        // what this program's own cargo says of itself is not for that one
+        // variables that cargo has set for this process must not reach the other cargo
         for variable in ["CARGO", "RUSTC", "RUSTDOC", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS"] {
             cargo.env_remove(variable);
         }
@@ -31,7 +31,11 @@ impl Counter {
         Ok(Self(target().join("release/libcounter.so")))
     }
 
-    /// Lets `run` run a program with some more options of QEMU, and says how many instructions were executed between every mark and the next.
+    /// Calls `run` with additional options for QEMU, and returns the number of instructions executed between the two marks of every pair.
+    ///
+    /// # Errors
+    ///
+    /// If `run` fails, or the number of marks is odd.
     pub fn between_marks(&self, program: &Path, run: impl FnOnce(&[&str]) -> Result<()>) -> Result<Vec<u64>> {
         let work = tempfile::tempdir()?;
         let file = work.path().join("counts");

@@ -10,14 +10,14 @@ use image::RgbImage;
 use crate::Result;
 use crate::board::lcd::SIDE;
 
-/// Writes pictures one after another, forever: each with the step that it shows, of which there are `rate` in a second. The last one is seen for `last` steps.
+/// Writes an endless animation. Each picture comes with the step that it shows; `rate` is the number of steps in a second. The last picture stays for `last` steps.
 pub fn save(pictures: &[(u32, RgbImage)], last: u32, rate: u32, path: &Path) -> Result<()> {
     let sample: Vec<u8> = pictures
         .iter()
         .step_by(8)
         .flat_map(|(_, picture)| picture.pixels().flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]))
         .collect();
-    // the colours of all pictures, so that none of them flickers
+    // one palette for all pictures, so that colours don't flicker
     let quantizer = NeuQuant::new(10, 256, &sample);
     let side = SIDE as u16;
     let mut encoder = Encoder::new(File::create(path)?, side, side, &quantizer.color_map_rgb())?;

@@ -1,4 +1,4 @@
-//! Builds firmware as its users do, with the oldest supported Rust: the newest release may lack a target, and figures are those of one compiler.
+//! Builds firmware with the commands of its users and the oldest supported Rust. The newest release may lack a target, and published figures belong to one compiler.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -16,21 +16,21 @@ pub type Programs = BTreeMap<String, PathBuf>;
 /// A program of a package for boards.
 #[derive(Clone, Copy, Debug)]
 pub struct Firmware<'a> {
-    /// The package's folder, from the root of the repository. Its `.cargo/config.toml` and its `memory.x` say how it is linked.
+    /// The package's folder, from the root of the repository. Its `.cargo/config.toml` and `memory.x` configure the linker.
     pub package: &'a str,
     /// The program.
     pub program: &'a str,
-    /// The profile that it is built with.
+    /// The cargo profile.
     pub profile: &'a str,
-    /// Features of the package, parted by commas.
+    /// Features of the package, separated by commas.
     pub features: &'a str,
-    /// The targets that it is built for.
+    /// The compilation targets.
     pub targets: &'a [&'a str],
-    /// The number type and the scene that are left of all: `KERCHIEF_NUMBER` and `KERCHIEF_SCENE` in the environment of the build.
+    /// The only number type and the only scene that are compiled, `None` for all: `KERCHIEF_NUMBER` and `KERCHIEF_SCENE` in the environment of the build.
     pub only: [Option<&'a str>; 2],
 }
 
-/// Programs that were built since this process started, or that a thread is building.
+/// Programs that this process has built or that one of its threads is building, by their [`Firmware`].
 static BUILT: Mutex<BTreeMap<String, Arc<Mutex<Option<Programs>>>>> = Mutex::new(BTreeMap::new());
 
 impl<'a> Firmware<'a> {
@@ -39,27 +39,27 @@ impl<'a> Firmware<'a> {
         Self { package, program, profile: "release", features: "", targets, only: [None; 2] }
     }
 
-    /// A program of `laboratory/firmware`, for the board that takes every processor. `only` leaves a number type and a scene.
+    /// A program of `laboratory/firmware`, whose board accepts every Cortex-M. `only` selects a number type and a scene.
     pub const fn measuring(program: &'a str, targets: &'a [&'a str], only: [Option<&'a str>; 2]) -> Self {
         Self { only, ..Self::board("laboratory/firmware", program, targets) }
     }
 
-    /// Builds it, once in the life of this process: who asks again gets the same programs.
+    /// Builds the program, once in the life of this process: later calls return the same files.
     ///
     /// # Errors
     ///
-    /// What cargo says.
+    /// If cargo fails, with its messages.
     pub fn build(&self) -> Result<Programs> {
         self.build_aloud(|_| {})
     }
 
-    /// The same, and passes every line that cargo says meanwhile to `said`.
+    /// Like [`Self::build`], and passes every line of cargo's error output to `said`.
     ///
     /// # Errors
     ///
-    /// What cargo says.
+    /// If cargo fails, with its messages.
     pub fn build_aloud(&self, said: impl FnMut(&str)) -> Result<Programs> {
-        // a build that panicked has left nothing
+        // a poisoned lock is harmless: a build that panicked has stored nothing
         let own = {
             let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
             Arc::clone(built.entry(format!("{self:?}")).or_default())
@@ -87,7 +87,7 @@ impl<'a> Firmware<'a> {
                 None => cargo.env_remove(variable),
             };
         }
-        // what this program's own cargo says of itself is not for that one
+        // variables that cargo has set for this process must not reach the other cargo
         for variable in ["CARGO", "RUSTC", "RUSTDOC", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "RUSTC_BOOTSTRAP"] {
             cargo.env_remove(variable);
         }
@@ -126,7 +126,7 @@ impl<'a> Firmware<'a> {
         }
     }
 
-    /// Copies a program that the next build of another scene would replace.
+    /// Copies a program whose file the build of the next scene would replace.
     fn keep(&self, target: &str, program: PathBuf) -> Result<PathBuf> {
         if self.only == [None; 2] {
             return Ok(program);

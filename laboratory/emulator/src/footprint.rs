@@ -1,4 +1,4 @@
-//! What of a board a program takes.
+//! The flash and RAM that a program takes.
 
 use std::path::Path;
 
@@ -7,17 +7,17 @@ use object::{Endianness, Object, ObjectSection, SectionFlags, SectionKind, elf};
 
 use crate::Result;
 
-/// The same as [`footprint`], of a program in a file.
+/// Like [`footprint`], for a program in a file.
 ///
 /// # Errors
 ///
-/// Where the file is no program.
+/// If the file can't be read or is not a 32-bit ELF file.
 pub fn of(program: &Path) -> Result<[u64; 2]> {
     let data = std::fs::read(program)?;
     Ok(footprint(&ElfFile32::parse(data.as_slice())?))
 }
 
-/// Bytes of flash (vectors, code, constants, and the initial values of variables), and bytes of RAM that variables take; the stack is not known here.
+/// Bytes of flash (vectors, code, constants and initial values of variables), and bytes of RAM for variables. The stack is not included.
 pub fn footprint(file: &ElfFile32<'_, Endianness>) -> [u64; 2] {
     let (mut flash, mut ram) = (0, 0);
     for section in file.sections() {

@@ -1,4 +1,4 @@
-//! A client of GDB's remote protocol (GDB manual, appendix E), as far as it takes to stop a program and to look at its memory.
+//! A client of GDB's remote protocol (GDB manual, appendix E): only the commands that stop and resume a program and access its memory and registers.
 
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::os::unix::net::UnixStream;
@@ -7,12 +7,12 @@ use std::time::{Duration, Instant};
 
 use crate::Result;
 
-/// After this the other side hangs.
+/// Time after which the other side counts as hanging.
 const PATIENCE: Duration = Duration::from_secs(60);
-/// Bytes that are asked for at once.
+/// Bytes of memory in one request.
 const BLOCK: u32 = 1024;
 
-/// A stopped program.
+/// A connection to a program in QEMU.
 #[derive(Debug)]
 pub(crate) struct Gdb {
     input: BufReader<UnixStream>,
@@ -50,7 +50,7 @@ impl Gdb {
 
     /// A register of the processor: 15 is the program counter.
     pub(crate) fn register(&mut self, number: u32) -> Result<u32> {
-        // all of them: QEMU tells single ones only to those who have read its description of the processor
+        // all registers: QEMU returns single ones only after the client has read its description of the processor
         let bytes = from_hex(&self.ask("g")?)?;
         let bytes = bytes.chunks_exact(4).nth(number as usize).ok_or("no such register")?;
         Ok(u32::from_le_bytes(bytes.try_into()?))
@@ -74,13 +74,13 @@ impl Gdb {
         self.send("c")
     }
 
-    /// Waits until it stops.
+    /// Waits until the program stops.
     pub(crate) fn wait(&mut self) -> Result<()> {
         let answer = self.receive()?;
         if answer.starts_with('T') { Ok(()) } else { Err(format!("the program ended: {answer}").into()) }
     }
 
-    /// Whether it does not stop for a while.
+    /// Whether the program runs for this time without stopping.
     pub(crate) fn runs_for(&mut self, time: Duration) -> Result<bool> {
         self.output.set_nonblocking(true)?;
         let end = Instant::now() + time;
@@ -127,7 +127,7 @@ impl Gdb {
                 byte => text.push(byte),
             }
         }
-        // the sum of what came
+        // two digits of the checksum, which is not verified
         self.byte()?;
         self.byte()?;
         Ok(String::from_utf8(text)?)
@@ -140,7 +140,7 @@ impl Gdb {
     }
 }
 
-/// Connects to a socket that is about to be there.
+/// Connects to a socket, and waits until it exists.
 pub(crate) fn patiently(socket: &Path) -> Result<UnixStream> {
     let end = Instant::now() + PATIENCE;
     loop {

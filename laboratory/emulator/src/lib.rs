@@ -1,10 +1,11 @@
-//! Builds firmware as its users do and runs it in emulators that others wrote.
+//! Builds firmware with the commands of its users and runs it in third-party emulators: QEMU, rp2040js and node.
 //!
 //! * [`Firmware`] is a program of a package in this repository; [`Firmware::build`] builds it.
 //! * [`Machine`](machine::Machine) runs a program that prints and ends, on any Cortex-M or in WebAssembly.
-//! * [`Counter`](counter::Counter) counts the instructions of a part of a run.
-//! * [`board`] has the boards that show something: their programs, and what is seen of them while they run.
-//! * [`Qemu`](qemu::Qemu) runs a board from one picture to the next; [`Program`](program::Program) and [`footprint`](footprint::footprint) look into programs.
+//! * [`Counter`](counter::Counter) counts the instructions of parts of a run.
+//! * [`board`] has the boards with an output: their programs, and their displays or printed lines during a run.
+//! * [`Qemu`](qemu::Qemu) runs a board from one picture to the next.
+//! * [`Program`](program::Program) and [`footprint`](footprint::footprint) read linked programs.
 #![allow(clippy::missing_errors_doc, reason = "what fails says what cargo, the emulator or the program did wrong")]
 
 pub mod board;
@@ -22,16 +23,16 @@ use std::path::{Path, PathBuf};
 
 pub use firmware::{Firmware, Programs};
 
-/// What went wrong, in words for a user.
+/// An error with a message for the user.
 pub type Error = Box<dyn std::error::Error + Send + Sync>;
 
-/// What was asked for, or what went wrong.
+/// A result whose error is a message for the user.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// The oldest supported Rust.
 pub const TOOLCHAIN: &str = concat!(env!("CARGO_PKG_RUST_VERSION"), ".0");
 
-/// Where programs for boards are built: one place for all packages, so that they share what they depend on.
+/// The target folder of programs for boards. All packages share it, so that each dependency is compiled once.
 pub fn target() -> PathBuf {
     let target = std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into());
     root().join(target).join("boards")
@@ -41,7 +42,7 @@ pub fn target() -> PathBuf {
 ///
 /// # Panics
 ///
-/// Where this package has been taken out of it.
+/// If this package has been moved out of the repository.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the package lies in laboratory/emulator")
 }

@@ -1,4 +1,4 @@
-//! The machines that firmware runs on: a board in an emulator that others wrote, with one processor after the other, and a virtual machine.
+//! The machines that firmware runs on: QEMU's LM3S6965 board with a choice of Cortex-M processors, and WebAssembly in node.
 
 use std::path::Path;
 use std::process::Command;
@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::Result;
 use crate::counter::Counter;
 
-/// A machine, and the target that is its own.
+/// A machine and its compilation target.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {
     /// Its name in documents.
@@ -43,35 +43,35 @@ pub const WASM: Machine = Machine { name: "WebAssembly", target: "wasm32-wasip1"
 /// Every machine.
 pub const ALL: [Machine; 7] = [M0, M3, M4, M4F, M7, M33, WASM];
 
-/// An instruction takes a nanosecond.
+/// QEMU's options with which an instruction takes a nanosecond.
 const COUNTED: [&str; 2] = ["-icount", "shift=0"];
-/// After this it hangs, s.
+/// Seconds after which a program counts as hanging.
 const PATIENCE: &str = "600";
 
 impl Machine {
-    /// What the program prints until it ends.
+    /// Runs a program and returns its output, without the last line `end`.
     ///
     /// # Errors
     ///
-    /// How else it ended.
+    /// If the program fails, hangs or doesn't print `end` last.
     pub fn run(&self, program: &Path) -> Result<String> {
         self.run_with(program, &[])
     }
 
-    /// The same where an instruction takes a nanosecond.
+    /// Like [`Self::run`], with instructions of one nanosecond.
     ///
     /// # Errors
     ///
-    /// How else it ended.
+    /// See [`Self::run`].
     pub fn run_counted(&self, program: &Path) -> Result<String> {
         self.run_with(program, &COUNTED)
     }
 
-    /// The same, and the instructions between every two marks as another counter counts them.
+    /// Like [`Self::run_counted`]. Also returns the instructions between the two marks of every pair, as counted by `counter`.
     ///
     /// # Errors
     ///
-    /// How else it ended.
+    /// See [`Self::run`], or if the marks are not pairs.
     pub fn run_marked(&self, program: &Path, counter: &Counter) -> Result<(String, Vec<u64>)> {
         let mut printed = String::new();
         let counts = counter.between_marks(program, |options| {

@@ -1,4 +1,4 @@
-//! Runs a board's program in an emulator: what it says appears here, its display in a file.
+//! Runs a board's program in an emulator. Its log appears on the terminal, its display in a file.
 //!
 //! ```sh
 //! cargo emulate oled --png oled.png
@@ -26,16 +26,16 @@ struct Arguments {
     /// Steps of the simulation.
     #[arg(long, default_value_t = 120)]
     steps: u32,
-    /// Where the display is drawn, anew after every picture.
+    /// PNG file for the display, replaced after every picture.
     #[arg(long)]
     png: Option<PathBuf>,
-    /// Where an animation is written: of the last ten seconds (pico), or of the whole gesture (tilt).
+    /// GIF file for an animation of the last ten seconds (pico) or of the whole gesture (tilt).
     #[arg(long)]
     gif: Option<PathBuf>,
-    /// What is read from the flash comes through a model of its cache (pico, tilt).
+    /// Model the flash cache: a miss costs cycles (pico, tilt).
     #[arg(long)]
     cached: bool,
-    /// The time of an instruction is 2 to the power of this, in nanoseconds.
+    /// An instruction takes 2 to the power of this many nanoseconds.
     #[arg(long, default_value_t = 0)]
     shift: u32,
 }
@@ -52,7 +52,7 @@ enum Board {
     Pico,
     /// Raspberry Pi Pico, OLED of 128 × 64 pixels on I2C, in rp2040js
     Ssd1306,
-    /// Waveshare RP2040-LCD-1.28, round LCD and an accelerometer that feels a gesture, in rp2040js
+    /// Waveshare RP2040-LCD-1.28, round LCD and an accelerometer that measures a gesture, in rp2040js
     Tilt,
 }
 
@@ -113,7 +113,7 @@ fn run_microbit(program: &Path, arguments: &Arguments) -> Result<()> {
     }
 }
 
-/// Says how much stack was used, and what was wrong.
+/// Prints the stack usage and fails if the emulator found errors.
 fn end(board: &mut Qemu) -> Result<()> {
     let [used, size] = board.stack()?;
     println!("{used} of {size} bytes of stack were used");
@@ -136,7 +136,7 @@ fn run_oled(program: &Path, arguments: &Arguments) -> Result<()> {
             let greys = oled::greys(&mut board)?;
             let picture = RgbImage::from_fn(greys.width(), greys.height(), |x, y| {
                 let grey = u16::from(greys.get_pixel(x, y)[0]) * 17;
-                // an OLED of this kind is a little yellow
+                // OLEDs of this kind are slightly yellow
                 Rgb([255, 240, 190].map(|part| (grey * part / 255) as u8))
             });
             save(&photograph::photograph(&picture, 5, 1), path)?;
@@ -149,7 +149,7 @@ fn run_oled(program: &Path, arguments: &Arguments) -> Result<()> {
 }
 
 fn run_pico(program: &Path, arguments: &Arguments) -> Result<()> {
-    // browsers don't show sixty pictures a second
+    // browsers don't play sixty pictures a second
     const STRIDE: usize = 3;
     const SECONDS: u32 = 10;
     let steps = arguments.steps as usize;
@@ -170,12 +170,12 @@ fn run_pico(program: &Path, arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Shots of these pictures, with the step that each shows.
+/// The shots of these pictures (counted from one), each with the step that it shows.
 fn shown<'a>(run: &'a Run, pictures: &'a [usize]) -> impl Iterator<Item = (u32, &'a Vec<u16>)> {
     pictures.iter().filter_map(|picture| run.steps.get(picture - 1)).copied().zip(&run.shots)
 }
 
-/// Shows the log and how much stack was used, and what was wrong.
+/// Prints the log and the stack usage, and fails if the run has errors.
 fn end_lcd(run: &Run) -> Result<()> {
     run.log.iter().for_each(|line| println!("{line}"));
     let [used, size] = run.stack;
@@ -184,13 +184,13 @@ fn end_lcd(run: &Run) -> Result<()> {
 }
 
 fn run_tilt(program: &Path, arguments: &Arguments) -> Result<()> {
-    /// Some fifteen pictures a second.
+    /// One picture in three is filmed: about fifteen a second.
     const STRIDE: usize = 3;
-    /// Steps of rest at the film's end.
+    /// Steps for which the film's last picture stays.
     const REST: u32 = ::tilt::show::RATE;
-    /// Steps between two pictures, at least, where the kerchief rests.
+    /// A gap of at least this many steps between two pictures means that the kerchief rested.
     const GAP: u32 = 6;
-    // more pictures than there can be
+    // more pictures than a run can have
     const MOST: usize = 10_000;
     let filmed = arguments.gif.is_some();
     let shots: Vec<_> = if filmed { (1..MOST).step_by(STRIDE).collect() } else { Vec::new() };
@@ -204,7 +204,7 @@ fn run_tilt(program: &Path, arguments: &Arguments) -> Result<()> {
         save(&photograph::photograph(&tilt::picture(last), 2, 0), path)?;
     }
     if let Some(path) = &arguments.gif {
-        // from where the table's rest ends: what came before is how the kerchief was put there
+        // the film starts when the rest on the table ends: earlier pictures show the kerchief settling
         let starts = run.steps.windows(2).filter(|steps| steps[1] >= steps[0] + GAP).map(|steps| steps[1]);
         let start = starts.min().unwrap_or(0);
         let pictures = shown(&run, plan.shots.as_deref().unwrap_or_default()).filter(|(step, _)| *step >= start);
@@ -228,7 +228,7 @@ fn run_ssd1306(program: &Path, arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Replaces the file at once, so that who looks at it sees a whole picture.
+/// Replaces the file in one operation, so that a viewer never reads half a picture.
 fn save(picture: &RgbImage, path: &Path) -> Result<()> {
     let new = path.with_extension("new.png");
     picture.save(&new)?;

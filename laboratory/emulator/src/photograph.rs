@@ -1,11 +1,11 @@
-//! A display as a camera sees it.
+//! An enlarged picture of a display with its case.
 
 use image::{Rgb, RgbImage};
 
-/// Around the pixels, in pixels.
+/// Width of the dark frame around the display, in pixels of the display.
 const BEZEL: u32 = 4;
 
-/// Enlarges a picture. A pixel of an OLED shines by itself: `gap` of the `scale` dots between two of them stay dark.
+/// Enlarges a picture by `scale`. The pixels of an OLED are separate lights: between two of them, `gap` of the `scale` dots stay dark.
 pub fn photograph(picture: &RgbImage, scale: u32, gap: u32) -> RgbImage {
     const BLACK: Rgb<u8> = Rgb([6, 6, 8]);
     const CASE: Rgb<u8> = Rgb([28, 29, 32]);

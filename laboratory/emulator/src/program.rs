@@ -1,4 +1,4 @@
-//! What an emulator has to know of a program: where its parts are, and what its log means.
+//! Reads a linked program: the addresses of its symbols, and the table that decodes its log.
 
 use std::fs;
 use std::path::Path;
@@ -9,19 +9,19 @@ use object::{Endianness, Object, ObjectSymbol};
 
 use crate::Result;
 
-/// What a stack holds where it was never used (`cortex-m-rt`).
+/// The word with which `cortex-m-rt` fills the stack before the program starts.
 pub const PAINT: u32 = 0xcccc_cccc;
 
 /// A linked program.
 #[derive(Debug)]
 pub struct Program {
     symbols: Vec<(String, u32)>,
-    /// What a log consists of, where there is one.
+    /// The format strings of the log, if the program has one.
     table: Option<Table>,
 }
 
 impl Program {
-    /// A program in a file.
+    /// Reads an ELF file.
     pub fn read(path: &Path) -> Result<Self> {
         let data = fs::read(path)?;
         let file = ElfFile32::<Endianness>::parse(data.as_slice())?;
@@ -34,14 +34,14 @@ impl Program {
         Ok(Self { symbols, table })
     }
 
-    /// The address of what is called so, or of a function whose path ends so.
+    /// The address of the first symbol with this name, or of a function whose path ends with it. Bit 0 (Thumb) is cleared.
     pub fn address(&self, name: &str) -> Result<u32> {
         let ends = |full: &str| full == name || full.strip_suffix(name).is_some_and(|path| path.ends_with("::"));
         let found = self.symbols.iter().find(|(full, _)| ends(full));
         found.map(|(_, address)| address & !1).ok_or_else(|| format!("the program has no {name}").into())
     }
 
-    /// The lines of a log.
+    /// Decodes the bytes of a log to lines.
     pub fn decode(&self, bytes: &[u8]) -> Result<Vec<String>> {
         let table = self.table.as_ref().ok_or("the program has no log")?;
         let mut decoder = table.new_stream_decoder();

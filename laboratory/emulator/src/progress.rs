@@ -1,21 +1,21 @@
-//! What is being done, on the standard error output: a line that changes on a terminal, and few lines elsewhere.
+//! Progress on the standard error output: a changing line on a terminal, a line for each piece of work elsewhere.
 
 use std::io::{IsTerminal, stderr};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Work that is being done. It vanishes when it is dropped.
+/// The display of running work. It vanishes when it is dropped.
 pub(crate) struct Progress(ProgressBar);
 
 impl Progress {
-    /// Work that says what it does.
+    /// Work whose current activity is shown as a line of text.
     pub(crate) fn lines(work: &str) -> Self {
         let bar = ProgressBar::new_spinner().with_prefix(work.to_owned());
         Self::start(bar, "{spinner} {prefix}: {wide_msg}", work)
     }
 
-    /// A simulation of so many steps.
+    /// A simulation of `steps` steps.
     pub(crate) fn steps(steps: u32) -> Self {
         let work = format!("running {steps} steps");
         Self::start(ProgressBar::new(steps.into()), "{spinner} step {pos} of {len} {wide_bar} {eta}", &work)
@@ -30,17 +30,17 @@ impl Progress {
         Self(bar)
     }
 
-    /// The work says this.
+    /// Shows the current activity.
     pub(crate) fn line(&self, line: &str) {
         self.0.set_message(line.to_owned());
     }
 
-    /// The simulation has come here.
+    /// Shows the current step.
     pub(crate) fn step(&self, step: u32) {
         self.0.set_position(step.into());
     }
 
-    /// Prints a line of the board's.
+    /// Prints a line of the board's log.
     pub(crate) fn print(&self, line: &str) {
         self.0.suspend(|| println!("{line}"));
     }

@@ -19,17 +19,17 @@ pub struct Qemu {
     gdb: Gdb,
     monitor: BufReader<UnixStream>,
     program: Program,
-    /// Where pictures end, and where errors do.
+    /// Breakpoints: at the end of a picture (`shown`), and at a hard fault.
     stops: [u32; 2],
     log: Vec<u8>,
     traced: Option<&'static str>,
-    /// Lines of the emulator's notes that were read.
+    /// Lines of QEMU's log file that [`Self::trace`] has returned.
     read: usize,
     work: TempDir,
 }
 
 impl Qemu {
-    /// Starts a program on a machine where an instruction takes 2^`shift` nanoseconds. What happens of the kind `traced` is noted.
+    /// Starts a program on a machine where an instruction takes 2^`shift` nanoseconds. Events of the kind `traced` are recorded for [`Self::trace`].
     pub fn start(machine: &str, traced: Option<&'static str>, program: &Path, shift: u32) -> Result<Self> {
         let work = tempfile::tempdir()?;
         let [gdb, monitor, errors] = ["gdb", "monitor", "errors"].map(|name| work.path().join(name));
@@ -58,29 +58,29 @@ impl Qemu {
         Ok(qemu)
     }
 
-    /// Runs until the next picture has been shown, and says after which step.
+    /// Runs until the next picture has been shown, and returns its step.
     ///
     /// # Errors
     ///
-    /// What is wrong with the program or the emulator.
+    /// If the program or the emulator fails.
     pub fn picture(&mut self) -> Result<u32> {
         self.go()?;
         self.stopped()
     }
 
-    /// Whether it runs for a while without a picture. It goes on running.
+    /// Whether the program runs for 500 ms (host time) without showing a picture. If so, it goes on running.
     pub fn rests(&mut self) -> Result<bool> {
         self.go()?;
         self.still_rests()
     }
 
-    /// The same of a program that runs.
+    /// Like [`Self::rests`], for a program that is already running.
     pub fn still_rests(&mut self) -> Result<bool> {
         self.gdb.runs_for(Duration::from_millis(500))
     }
 
     fn go(&mut self) -> Result<()> {
-        // a breakpoint stops before its instruction, so this one is gone over without
+        // a breakpoint stops before its instruction: it is cleared for one step, which leads past it
         let at = self.gdb.register(15)?;
         if self.stops.contains(&at) {
             self.gdb.clear_breakpoint(at)?;
@@ -100,12 +100,12 @@ impl Qemu {
         self.gdb.register(0)
     }
 
-    /// Presses a key for some milliseconds of the emulated time. The program has to run.
+    /// Presses a key for some milliseconds of emulated time. The program must be running.
     pub fn press(&mut self, key: &str, milliseconds: u32) -> Result<()> {
         self.command(&format!("sendkey {key} {milliseconds}"))
     }
 
-    /// The display.
+    /// A screenshot of the display.
     pub fn screen(&mut self) -> Result<image::RgbImage> {
         let file = self.work.path().join("screen.png");
         self.command(&format!("screendump {} -f png", file.display()))?;
@@ -117,7 +117,7 @@ impl Qemu {
         self.program.decode(&self.log)
     }
 
-    /// What was traced since the last question, without its name.
+    /// The events recorded since the last call, each without the name of its kind.
     pub fn trace(&mut self) -> Result<Vec<String>> {
         let (notes, read) = (self.notes()?, self.read);
         self.read = notes.lines().count();
@@ -127,9 +127,9 @@ impl Qemu {
         Ok(traced.collect())
     }
 
-    /// What the emulator found wrong with how the program treats the board.
+    /// QEMU's complaints about the program's use of the board, one a line.
     pub fn errors(&self) -> Result<String> {
-        /// The micro:bit is reset before its flash is there, and again with it.
+        /// QEMU resets the micro:bit once before its flash is loaded, and again afterwards.
         const EARLY: &str = ", size 4, region '(null)', reason: rejected";
         let early = ["0x0", "0x4"].map(|at| format!("Invalid read at addr {at}{EARLY}"));
         let wrong = |(index, line): &(usize, &str)| {
@@ -144,7 +144,7 @@ impl Qemu {
         Ok(std::fs::read_to_string(self.work.path().join("errors"))?)
     }
 
-    /// The most bytes of stack that were in use at any time, and how many there are.
+    /// The largest number of bytes of stack that were in use at any time, and the stack's size.
     pub fn stack(&mut self) -> Result<[u32; 2]> {
         let [end, start] = [self.program.address("_stack_end")?, self.program.address("_stack_start")?];
         let bytes = self.gdb.read(end, start - end)?;
@@ -152,9 +152,9 @@ impl Qemu {
         Ok([start - end - unused, start - end])
     }
 
-    /// Takes what is in the buffer of the log, as a probe does.
+    /// Empties the log's buffer, as a debug probe does.
     fn drain(&mut self) -> Result<()> {
-        // identification, numbers of channels; name, buffer, size, where is written, where is read
+        // RTT control block: identification, numbers of channels; channel 0: name, buffer, size, write offset, read offset
         let channel = self.program.address("_SEGGER_RTT")? + 24;
         let [buffer, size, written, read] = [4, 8, 12, 16]
             .map(|offset| self.gdb.read_word(channel + offset))
@@ -179,7 +179,7 @@ impl Qemu {
     fn command(&mut self, line: &str) -> Result<()> {
         self.monitor.get_mut().write_all(format!("{line}\n").as_bytes())?;
         let answer = self.prompt()?;
-        // the monitor repeats what it reads
+        // the monitor echoes the command
         let complaint = answer.lines().skip(1).collect::<Vec<_>>().join("\n");
         if complaint.contains("Error") || complaint.contains("unknown") {
             return Err(format!("{line}: {complaint}").into());
@@ -201,7 +201,7 @@ impl Qemu {
 
 impl Drop for Qemu {
     fn drop(&mut self) {
-        // it may have ended
+        // fails if the process has already ended
         let _ = self.process.kill();
         let _ = self.process.wait();
     }

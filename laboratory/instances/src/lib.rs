@@ -1,7 +1,7 @@
 //! Every grid and number type that a scene file may name, compiled once for all host programs.
 //!
-//! Nothing else in the workspace takes as long to compile: each pair is the whole core again, with all six solvers. Programs and tests that need few pairs
-//! write [`kerchief::simulations!`] themselves.
+//! No other crate of the workspace takes as long to compile: each pair compiles the whole core again, with all six solvers. Programs and tests that need few
+//! pairs call [`kerchief::simulations!`] themselves.
 
 use kerchief::{Q13, Q24};
 

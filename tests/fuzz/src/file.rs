@@ -1,15 +1,15 @@
-//! Scene files of any bytes: each is refused in a line or moves, twice the same.
+//! Scene files of arbitrary bytes. Each is refused with a message of one line, or plays twice with the same digest.
 
 use kerchief::host::{Description, ScalarKind, SceneError, Simulation};
 
-/// How a scene is set up.
+/// The function that sets up a scene in a number type.
 pub type Simulate = fn(&Description, ScalarKind) -> Result<Box<dyn Simulation>, SceneError>;
 
-/// What a scene may cost: solver steps of a frame, particles.
+/// Upper bounds of the scenes that are played: solver steps of a frame, and particles.
 const STEPS: u32 = 64;
 const PARTICLES: usize = 64;
 
-/// Reads a file and plays the scene that it describes in every number type that holds it.
+/// Reads a file and plays its scene in every number type that can represent it.
 pub fn play(bytes: &[u8], simulation: Simulate) {
     let Ok(text) = core::str::from_utf8(bytes) else { return };
     let scene = match Description::parse(text) {

@@ -1,4 +1,4 @@
-//! What fuzzers play, and ordinary tests play again.
+//! Scenes from arbitrary bytes, played by fuzzers and again by ordinary tests.
 
 pub mod file;
 pub mod state;

@@ -1,4 +1,4 @@
-//! Steps from states of any bits: nothing panics, nothing hangs, and twice the same gives the same.
+//! Steps from states of arbitrary bits: no step panics or hangs, and two runs of a state give the same digest.
 
 use kerchief::{
     AerodynamicWind, BackwardEuler, Bend, Capsule, Cloth, Damped, Drag, FacetWind, ForwardEuler, Gravity, Leapfrog,
@@ -6,12 +6,12 @@ use kerchief::{
     Units, Vec3, Verlet, Xpbd, measure,
 };
 
-/// Numbers of a state and its parameters.
+/// The number of scalars in a state and its parameters.
 pub const NUMBERS: usize = 4 * 4 * 7 + 27;
 
 const UNITS: Units = Units::sheet([4, 4], [1.0, 0.8], 0.01, 0.05, 3);
 
-/// The first byte chooses a number type and a solver; then four bytes are a number, and what is missing is zero.
+/// The first byte selects a number type and a solver. Each four bytes after it are a number; missing numbers are zero.
 pub fn play(bytes: &[u8]) {
     let (&choice, bytes) = bytes.split_first().unwrap_or((&0, &[]));
     let mut bits = [0; NUMBERS];
@@ -21,7 +21,7 @@ pub fn play(bytes: &[u8]) {
     in_type(choice % TYPES, &bits, Some(choice / TYPES % SOLVERS));
 }
 
-/// In every number type by every solver.
+/// Plays a state in every number type by every solver.
 pub fn play_all(bits: &[u32; NUMBERS]) {
     (0..TYPES).for_each(|number| in_type(number, bits, None));
 }
@@ -34,12 +34,12 @@ fn in_type(number: u8, bits: &[u32; NUMBERS], solver: Option<u8>) {
         0 => step(bits, solver, |bits| Q24::from_bits(bits as i32)),
         1 => step(bits, solver, |bits| Q13::from_bits(bits as i32)),
         2 => step(bits, solver, f32::from_bits),
-        // sign, exponent and the upper part of the fraction are the number's, the rest too
+        // the upper half has the sign, the exponent and a part of the fraction; the lower half repeats it
         _ => step(bits, solver, |bits| f64::from_bits(u64::from(bits) << 32 | u64::from(bits))),
     }
 }
 
-/// A step of everything there is.
+/// Plays two steps with many kinds of forces, links and colliders.
 fn step<S: Scalar>(bits: &[u32; NUMBERS], chosen: Option<u8>, number: fn(u32) -> S) {
     let mut numbers = bits.iter().map(|&bits| number(bits));
     let mut next = move || numbers.next().expect("enough bits");

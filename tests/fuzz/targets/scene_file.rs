@@ -1,4 +1,4 @@
-//! A scene file of any bytes.
+//! Plays a scene file of arbitrary bytes.
 #![no_main]
 
 kerchief::simulations! {

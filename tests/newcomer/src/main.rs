@@ -1,4 +1,4 @@
-//! A flag in the wind; a ball flies into it and a hand drags its corner. In `f32` and in fixed point, drawn into `f32.ppm` and `q24.ppm`.
+//! A flag in the wind. A ball flies into it, and a hand drags its corner. The program plays it in `f32` and in fixed point, and draws it into `f32.ppm` and `q24.ppm`.
 
 use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, RawU24};

@@ -1,12 +1,12 @@
-// The cache between the RP2040's processor and its flash, which rp2040js does without: 16 KB in two ways of lines of 8 bytes (RP2040 datasheet, 2.6.3.1). The least recently used line makes
-// room. What a miss costs is an estimate: at 200 MHz the flash is read at 100, in four bits at a time, by some 30 cycles of its own.
+// The cache between the RP2040's processor and its flash, which rp2040js lacks: 16 KB, two-way set-associative, lines of 8 bytes (RP2040 datasheet, 2.6.3.1). A miss replaces the
+// least recently used line. The cost of a miss is an estimate: at 200 MHz the flash is read at 100 MHz, four bits at a time, in about 30 cycles of the flash's clock.
 const CYCLES_OF_A_MISS = 60;
 const LINE_BITS = 3;
 const SETS = 1024;
 
-// Counts what misses of a chip have cost since the last question.
+// Attaches the model to a chip. Returns a function that returns the cycles spent on misses since its last call.
 export function model(chip, start, end) {
-    // the line in each way of each set, the one used last first
+    // the lines of each set, most recently used first
     const ways = new Int32Array(2 * SETS).fill(-1);
     let cycles = 0;
     const look = (address) => {
@@ -21,7 +21,7 @@ export function model(chip, start, end) {
         const direct = chip[read].bind(chip);
         let deep = false;
         chip[read] = (address) => {
-            // a read of one size is made of those of another
+            // the emulator implements a read of one size by reads of another: only the outermost counts
             if (deep) return direct(address);
             deep = true;
             look(address >>> 0);

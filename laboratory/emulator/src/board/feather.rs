@@ -13,23 +13,23 @@ use crate::{Firmware, Result};
 /// The program.
 pub const FIRMWARE: Firmware<'static> = Firmware::board("boards/feather", "feather", &["thumbv7em-none-eabihf"]);
 const MACHINE: &str = "netduinoplus2";
-/// After this without a line the program hangs.
+/// A program that prints nothing for so long counts as hanging.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// Runs the program, passes every line that comes over the serial port to `line`, and ends after the last.
+/// Runs the program, passes every line from the serial port to `line`, and returns after the line `end`.
 ///
 /// # Errors
 ///
-/// Where the program ends otherwise or hangs.
+/// If the program stops before that line or hangs.
 pub fn run(program: &Path, line: impl FnMut(&str)) -> Result<()> {
     run_with(program, &[], line)
 }
 
-/// The same, and the instructions of every frame as another counter counts them.
+/// Like [`run`]. Also returns the instructions of every frame, as counted by `counter`.
 ///
 /// # Errors
 ///
-/// Where the program ends otherwise or hangs.
+/// If the program stops before its last line or hangs.
 pub fn run_marked(program: &Path, counter: &Counter, line: impl FnMut(&str)) -> Result<Vec<u64>> {
     counter.between_marks(program, |options| run_with(program, options, line))
 }
@@ -66,7 +66,7 @@ struct Running(Child);
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // it may have ended
+        // fails if the process has already ended
         let _ = self.0.kill();
         let _ = self.0.wait();
     }

@@ -1,21 +1,21 @@
 // Runs a program on an emulated RP2040 with an LCD of 240 × 240 pixels, from one picture to the next.
 //
 // `node SCRIPT PACKAGE FLASH ORDERS`: a script that calls `play`, the folder of rp2040js, the flash's contents, and a JSON file
-// { stop, failed, log, stack: [end, start], until, shots: [picture, …], cached, … } with addresses of the program, the last step (null: all until a second passes without a
-// picture), numbers of pictures (null: all), whether there is a model of the flash's cache, and what the script itself wants.
-// Says "step n" on the standard error output after every picture, and prints JSON at the end:
-// { steps, shots: [[pixel, …], …], log: [byte, …], stack: [byte, …], on, idle, errors, frequency, … }: idle is how many bytes went to the display in that second, and for how many
-// cycles the processor was awake.
+// { stop, failed, log, stack: [end, start], until, shots: [picture, …], cached, … }: addresses in the program, the last step (null: until a second passes without a
+// picture), numbers of pictures to record (null: all), whether the flash's cache is modelled, and the script's own orders.
+// Writes "step n" to the standard error output after every picture, and prints JSON at the end:
+// { steps, shots: [[pixel, …], …], log: [byte, …], stack: [byte, …], on, idle, errors, frequency, … }. For that second without a picture, idle has the number of bytes sent to the
+// display and the number of cycles in which the processor was awake.
 import { readFile } from 'node:fs/promises';
 import { argv, stderr, stdout } from 'node:process';
 import { load } from './rp2040.mjs';
 
 const SIDE = 240;
 const PATIENCE = 1e9;
-// Who is to come to rest by himself does so by then.
+// A program without a last step must be at rest by then, ns.
 const LIMIT = 30e9;
 
-// An LCD of the ST7789's family: its commands, its window and its memory. `more` are commands of one controller, and how many parameters each has.
+// An LCD of the ST7789's family: its commands, its window and its memory. `more` has additional commands of one controller, each with its number of parameters.
 class Lcd {
     constructor(wrong, more) {
         this.wrong = wrong;
@@ -39,7 +39,7 @@ class Lcd {
         if (isData) this.data(value); else if (value !== 0) this.start(value);
     }
 
-    // Parameters that a command has, at most.
+    // The largest number of parameters of each command.
     static LENGTHS = { 0x01: 0, 0x11: 0, 0x13: 0, 0x20: 0, 0x21: 0, 0x29: 0, 0x2a: 4, 0x2b: 4, 0x2c: Infinity, 0x33: 6, 0x36: 1, 0x3a: 1 };
 
     start(command) {
@@ -93,8 +93,8 @@ class Lcd {
     }
 }
 
-// Plays a program. `board` says how its display is wired, { spi, data, select, reset, commands, access }, and `attach(chip, orders, wrong)` what else is there: it returns
-// { shown(picture), isBusy(), seen() }, which is told of pictures, says whether a second without one is no end yet, and what else is printed.
+// Runs a program. The first argument is the wiring of the display. `attach(chip, orders, wrong)` connects other devices and returns { shown(picture), isBusy(), seen() }:
+// a callback after each picture, whether the run must go on even after a second without a picture, and additional output.
 export async function play({ spi: bus, data, select, reset, commands = {}, access = 0 }, attach) {
     const [, , emulator, flashFile, ordersFile] = argv;
     const orders = JSON.parse(await readFile(ordersFile, 'utf8'));
@@ -106,7 +106,7 @@ export async function play({ spi: bus, data, select, reset, commands = {}, acces
 
     const lcd = new Lcd(wrong, commands);
     const spi = chip.spi[bus];
-    // a frame takes its time on the wires
+    // an SPI frame takes its time on the wires
     const arrived = clock.createAlarm(() => spi.completeTransmit(0));
     let bytes = 0;
     spi.onTransmit = (value) => {
@@ -119,7 +119,7 @@ export async function play({ spi: bus, data, select, reset, commands = {}, acces
         arrived.schedule(spi.dataBits * 1e9 / spi.clockFrequency);
     };
 
-    // Takes what is in the log's buffer, as a probe does.
+    // Empties the log's buffer, as a debug probe does.
     const log = [];
     const drain = () => {
         const channel = orders.log - RAM + 24;
@@ -135,7 +135,7 @@ export async function play({ spi: bus, data, select, reset, commands = {}, acces
     while (errors.length < 20) {
         const at = core.PC;
         if (at === orders.stop) {
-            // an interrupt comes back to the same place
+            // after an interrupt the processor returns to the same address
             if (steps.at(-1) === core.registers[0]) { advance(); continue; }
             steps.push(core.registers[0]);
             stderr.write(`step ${steps.at(-1)}\n`);

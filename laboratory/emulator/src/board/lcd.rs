@@ -12,27 +12,27 @@ use crate::Result;
 use crate::board::rp2040;
 use crate::program::{PAINT, Program};
 
-/// Pixels a side.
+/// Side of the display, pixels.
 pub const SIDE: u32 = 240;
 
-/// What was seen.
+/// Observations of a run.
 #[derive(Debug)]
 pub struct Run {
     /// The step that each picture shows.
     pub steps: Vec<u32>,
-    /// The display's pixels, row by row.
+    /// The pixels of the display, row by row, for each requested picture and the last state.
     pub shots: Vec<Vec<u16>>,
     /// The lines of the log.
     pub log: Vec<String>,
-    /// Bytes of stack that were used, and all.
+    /// Bytes of stack that were used, and the size of the stack.
     pub stack: [usize; 2],
-    /// Bytes that the display received in a second of rest, and cycles in which the processor was awake, if it came to that.
+    /// If the run ended at rest: bytes that the display received in the last second, and cycles of the processor awake in it.
     pub idle: Option<[u32; 2]>,
-    /// Of the processor, Hz.
+    /// Clock frequency of the processor, Hz.
     pub frequency: u32,
-    /// What a sensor said: seconds since the start, and its three axes.
+    /// The readings of a sensor: seconds since the start, and three axes.
     pub readings: Vec<(f64, [i16; 3])>,
-    /// What was wrong with what the display or the chip was told.
+    /// Errors in the program's use of the display, the sensor or the chip.
     pub errors: Vec<String>,
 }
 
@@ -50,11 +50,11 @@ struct Output {
     errors: Vec<String>,
 }
 
-/// Runs a program by one of the scripts beside this file, and tells `shown` after every picture which step it shows. `plan` has what `lcd.mjs` and the script want, but for addresses.
+/// Runs a program by one of the scripts beside this file, and passes the step of every picture to `shown`. `plan` has the orders of `lcd.mjs` and of the script, except addresses.
 ///
 /// # Errors
 ///
-/// What is wrong with the program or the emulator. What the display and the chip found wrong is in the [`Run`].
+/// If the program or the emulator fails. Complaints of the display and the chip are in [`Run::errors`] instead.
 pub(crate) fn run(script: &str, path: &Path, plan: &impl Serialize, shown: impl FnMut(u32)) -> Result<Run> {
     let program = Program::read(path)?;
     let work = tempfile::tempdir()?;
@@ -83,7 +83,7 @@ pub(crate) fn run(script: &str, path: &Path, plan: &impl Serialize, shown: impl 
     })
 }
 
-/// The colours of pixels.
+/// Converts the pixels of a display to a picture.
 pub fn picture(shot: &[u16]) -> RgbImage {
     RgbImage::from_fn(SIDE, SIDE, |x, y| {
         let color = Rgb888::from(Rgb565::from(RawU16::new(shot[(y * SIDE + x) as usize])));

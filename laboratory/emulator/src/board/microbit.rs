@@ -11,30 +11,30 @@ use microbit::leds::{BRIGHTEST, LEDS, ROWS, lit};
 /// The program.
 pub const FIRMWARE: Firmware<'static> = Firmware::board("boards/microbit", "microbit", &["thumbv6m-none-eabi"]);
 const MACHINE: &str = "microbit";
-/// 64 ns an instruction, as at 16 MHz.
+/// An instruction takes 2 to the power of this, 64 ns: about a cycle at 16 MHz.
 const SHIFT: u32 = 6;
-/// What is written to the pins.
+/// QEMU's trace event for a write to the pins.
 const WRITE: &str = "nrf51_gpio_write";
-/// The register of all pins.
+/// A traced write to the register of all pins, up to its value.
 const OUT: &str = "offset 0x504 value ";
 
-/// How bright each LED is.
+/// The brightness of each LED, 0 to [`BRIGHTEST`].
 pub type Levels = [[u32; LEDS]; LEDS];
 
 /// Starts a program.
 ///
 /// # Errors
 ///
-/// What is wrong with the program or the emulator.
+/// If the program or the emulator fails.
 pub fn start(program: &Path) -> Result<Qemu> {
     Qemu::start(MACHINE, Some(WRITE), program, SHIFT)
 }
 
-/// For how many passes of the last picture each LED shone.
+/// The number of passes of the last picture in which each LED shone.
 ///
 /// # Errors
 ///
-/// Where a picture has another number of passes.
+/// If the picture has too few or too many passes.
 pub fn levels(board: &mut Qemu) -> Result<Levels> {
     let mut levels = [[0; LEDS]; LEDS];
     let mut slots = 0;
@@ -49,7 +49,7 @@ pub fn levels(board: &mut Qemu) -> Result<Levels> {
     if slots == ROWS * BRIGHTEST { Ok(levels) } else { Err(format!("{slots} slots of a picture").into()) }
 }
 
-/// The LEDs as a camera sees them.
+/// A picture of the LEDs.
 pub fn photograph(levels: &Levels) -> RgbImage {
     /// From one LED to the next, in dots.
     const PITCH: u32 = 64;

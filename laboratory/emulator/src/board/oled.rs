@@ -7,16 +7,16 @@ use crate::{Firmware, Result};
 
 /// The program.
 pub const FIRMWARE: Firmware<'static> = Firmware::board("boards/oled", "oled", &["thumbv7m-none-eabi"]);
-/// QEMU's name of it.
+/// QEMU's name of the board.
 pub const MACHINE: &str = "lm3s6965evb";
 
 /// The greys (0 to 15) of the display's pixels.
 ///
 /// # Errors
 ///
-/// What else than greys the screen shows.
+/// If the screen shows anything other than pixels in these greys.
 pub fn greys(board: &mut Qemu) -> Result<GrayImage> {
-    /// QEMU enlarges pixels.
+    /// QEMU enlarges pixels by this factor.
     const PIXEL: u32 = 4;
     let screen = board.screen()?;
     let (width, height) = (screen.width() / PIXEL, screen.height() / PIXEL);

@@ -1,4 +1,4 @@
-// Runs a program on an emulated Raspberry Pi Pico with an LCD: see lcd.mjs. Its orders have presses: [[picture, down], …], after which pictures the button goes down or up.
+// Runs a program on an emulated Raspberry Pi Pico with an LCD: see lcd.mjs. Its orders also have presses: [[picture, down], …], pictures after which the button goes down or up.
 import { play } from './lcd.mjs';
 
 const BUTTON = 15;

@@ -10,24 +10,24 @@ use crate::{Firmware, Result};
 /// The program.
 pub const FIRMWARE: Firmware<'static> = Firmware::board("examples/pico", "pico", &["thumbv6m-none-eabi"]);
 
-/// What is done while the program runs: pictures are counted from one.
+/// The plan of a run. Pictures are counted from one.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Plan {
-    /// The step whose picture is the last; without one, the sheet comes to rest.
+    /// The step whose picture is the last. `None`: until the sheet is at rest.
     pub until: Option<u32>,
-    /// After which pictures, beside the last, the display is looked at.
+    /// Pictures after which the display is recorded, in addition to the last.
     pub shots: Vec<usize>,
-    /// After which pictures the button goes down or up.
+    /// Pictures after which the button goes down (`true`) or up.
     pub presses: Vec<(usize, bool)>,
-    /// Whether what is read from the flash comes through a model of its cache, or at once.
+    /// Whether reads from the flash go through a model of its cache. Otherwise they take no additional time.
     pub cached: bool,
 }
 
-/// Runs a program, and tells `shown` after every picture which step it shows.
+/// Runs a program, and passes the step of every picture to `shown`.
 ///
 /// # Errors
 ///
-/// What is wrong with the program or the emulator. What the display and the chip found wrong is in the [`Run`].
+/// If the program or the emulator fails. Complaints of the display and the chip are in [`Run::errors`] instead.
 pub fn run(path: &Path, plan: &Plan, shown: impl FnMut(u32)) -> Result<Run> {
     lcd::run("pico.mjs", path, plan, shown)
 }

@@ -7,7 +7,7 @@ const RAM = 0x20000000;
 const FLASH = [0x10000000, 0x11000000];
 const REGULATOR = 0x40064;
 
-// The core's voltage regulator, which rp2040js lacks: a register, and the voltages that clocks need (RP2040 datasheet, 2.10; Pico SDK 2.1.1 for 200 MHz).
+// The core's voltage regulator, which rp2040js lacks: one register. `load` checks the voltage that the clock needs (RP2040 datasheet, 2.10; Pico SDK 2.1.1 for 200 MHz).
 class Regulator {
     value = 0xb1;
 
@@ -18,12 +18,12 @@ class Regulator {
         if (offset === 0) this.value = after[kind] >>> 0;
     }
 
-    // Steps of 0.05 V from 0.80 V, which is 5.
+    // The field is 5 for 0.80 V; a step is 0.05 V.
     get volts() { return 0.8 + 0.05 * ((this.value >> 4 & 15) - 5); }
 }
 
-// Starts the program of a file as the boot ROM does. `emulator` is the folder of rp2040js, `wrong` is told what the chip complains of. With `cached`, code and data come from the flash
-// through a model of its cache; without, at once.
+// Starts the program of a file as the boot ROM does. `emulator` is the folder of rp2040js; `wrong` receives the chip's complaints. With `cached`, reads of code and data from the
+// flash go through a model of its cache. Without, they take no additional time.
 export async function load(emulator, flashFile, wrong, cached = false) {
     const { RP2040, GPIOPinState } = await import(pathToFileURL(`${emulator}/dist/esm/index.js`).href);
     const chip = new RP2040();
@@ -33,7 +33,7 @@ export async function load(emulator, flashFile, wrong, cached = false) {
     chip.peripherals[REGULATOR] = regulator;
     const { core, clock } = chip;
     chip.flash.set(await readFile(flashFile));
-    // the boot ROM copies the second stage to the end of the RAM and calls it with a stack below
+    // the boot ROM copies the second stage to the end of the RAM and calls it with the stack below
     chip.sram.set(chip.flash.subarray(0, 256), 0x41f00);
     core.reset();
     core.SP = RAM + 0x41f00;
@@ -43,7 +43,7 @@ export async function load(emulator, flashFile, wrong, cached = false) {
     let frequency = 0;
     const advance = () => {
         if (core.waiting) clock.tick(clock.nanosToNextAlarm);
-        // an interrupt is taken where the next instruction would be
+        // an interrupt is taken in place of the next instruction
         if (core.waiting && !core.interruptsUpdated) return;
         const cycles = core.executeInstruction();
         const stall = stalled();

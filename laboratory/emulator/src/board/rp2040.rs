@@ -12,11 +12,11 @@ use object::read::elf::{ElfFile32, ProgramHeader};
 
 use crate::Result;
 
-/// The emulator's package.
+/// The emulator's npm package and version.
 const EMULATOR: &str = "rp2040js@1.4.1";
 const FLASH: u32 = 0x1000_0000;
 
-/// Runs a program by one of the scripts beside this file, and tells `shown` the steps that it says. What the script prints is JSON.
+/// Runs a program by one of the scripts beside this file. Passes the steps that the script reports to `shown`, and returns its output, which is JSON.
 pub(crate) fn run(
     script: &str,
     program: &Path,
@@ -48,7 +48,7 @@ pub(crate) fn run(
     if status.success() { Ok(seen) } else { Err(complaint.into()) }
 }
 
-/// What a program puts into the flash.
+/// The contents of the flash for a program.
 fn image(path: &Path) -> Result<Vec<u8>> {
     let data = fs::read(path)?;
     let file = ElfFile32::<Endianness>::parse(data.as_slice())?;
@@ -66,7 +66,7 @@ fn image(path: &Path) -> Result<Vec<u8>> {
     Ok(flash)
 }
 
-/// The folder of rp2040js, where npm puts it once: `KERCHIEF_CACHE`, or else the user's cache.
+/// The folder of rp2040js, in `KERCHIEF_CACHE` or else in the user's cache. npm installs it there if it is missing.
 fn emulator() -> Result<PathBuf> {
     let cache = std::env::var_os("KERCHIEF_CACHE").map(PathBuf::from).or_else(|| {
         let base = std::env::var_os("XDG_CACHE_HOME").map(PathBuf::from);
@@ -80,7 +80,7 @@ fn emulator() -> Result<PathBuf> {
     Ok(installed.join("rp2040js"))
 }
 
-/// Puts rp2040js beside its place and then there as a whole, since others may want it at the same time and npm may be broken off.
+/// Installs rp2040js into a temporary folder and renames that: another process may install it at the same time, and npm may be interrupted.
 fn install(cache: &Path, place: &Path) -> Result<()> {
     fs::create_dir_all(cache)?;
     let work = tempfile::tempdir_in(cache)?;
@@ -90,7 +90,7 @@ fn install(cache: &Path, place: &Path) -> Result<()> {
         return Err(format!("npm install {EMULATOR}: {}", String::from_utf8_lossy(&output.stderr)).into());
     }
     match fs::rename(work.path().join("node_modules"), place) {
-        // another was quicker
+        // another process was quicker
         Err(_) if place.exists() => Ok(()),
         moved => Ok(moved?),
     }

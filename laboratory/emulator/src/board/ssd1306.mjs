@@ -1,19 +1,19 @@
-// Runs a program on an emulated Raspberry Pi Pico with an OLED on I2C, until so many pictures have been sent.
+// Runs a program on an emulated Raspberry Pi Pico with an OLED on I2C, until it has sent a number of pictures.
 //
-// node ssd1306.mjs PACKAGE FLASH PICTURES: the folder of rp2040js, the flash's contents, and how many pictures.
-// Says "step n" on the standard error output after every picture, and prints JSON at the end: { memory: [byte, …], on, milliseconds, errors }: a byte
-// is eight pixels of a column, the upper one in bit 0, and a page of 128 bytes is eight rows.
+// node ssd1306.mjs PACKAGE FLASH PICTURES: the folder of rp2040js, the flash's contents, and the number of pictures.
+// Writes "step n" to the standard error output after every picture, and prints JSON at the end: { memory: [byte, …], on, milliseconds, errors }. A byte
+// is eight pixels of a column, the uppermost in bit 0; a page of 128 bytes is eight rows.
 import { argv, stderr, stdout } from 'node:process';
 import { load } from './rp2040.mjs';
 
 const [, , emulator, flashFile, pictures] = argv;
 const ADDRESS = 0x3c;
 const [COLUMNS, PAGES] = [128, 8];
-// a second without a picture is too long
+// nanoseconds without a picture after which the run fails: a second
 const PATIENCE = 1e9;
 
 const errors = [];
-// the emulator does not know how long data stays after the clock
+// the emulator does not implement the hold time of data after the clock
 const wrong = (what) => { if (errors.length < 20 && !what.includes('IC_SDA_HOLD')) errors.push(what); };
 
 // An SSD1306: its commands, its window and its memory.
@@ -25,14 +25,14 @@ class Oled {
     y = 0;
     on = false;
     isHorizontal = false;
-    // What a transfer consists of: null until its first byte says it.
+    // Whether a transfer consists of data or of commands: null until its first byte decides.
     isData = null;
     command = [];
-    // Bytes that are missing in the window.
+    // Bytes that are still missing in the window.
     left = 0;
     pictures = 0;
 
-    // Parameters of each command.
+    // The number of parameters of each command.
     static LENGTHS = {
         0x20: 1, 0x21: 2, 0x22: 2, 0x2e: 0, 0x40: 0, 0x81: 1, 0x8d: 1, 0xa1: 0, 0xa4: 0, 0xa6: 0, 0xa8: 1, 0xae: 0, 0xaf: 0, 0xc8: 0, 0xd3: 1, 0xd5: 1, 0xd9: 1,
         0xda: 1, 0xdb: 1,
@@ -84,7 +84,7 @@ bus.onConnect = (address) => {
     oled.isData = null;
     bus.completeConnect(address === ADDRESS);
 };
-// a byte takes its time on the wires: nine bits at 400 kHz
+// a byte takes nine bits at 400 kHz on the wires
 const written = clock.createAlarm(() => bus.completeWrite(true));
 bus.onWriteByte = (value) => {
     oled.byte(value);

@@ -14,16 +14,16 @@ pub const FIRMWARE: Firmware<'static> = Firmware::board("examples/ssd1306", "ssd
 const WIDTH: u32 = 128;
 const HEIGHT: u32 = 64;
 
-/// What was seen after the last picture.
+/// Observations after the last picture.
 #[derive(Debug, Deserialize)]
 pub struct Run {
     /// The display's memory: a byte is eight pixels of a column, a page of 128 bytes is eight rows.
     memory: Vec<u8>,
     /// Whether the display is on.
     pub on: bool,
-    /// Since the start.
+    /// Emulated time since the start.
     pub milliseconds: f64,
-    /// What was wrong with what the display or the chip was told.
+    /// Errors in the program's use of the display or the chip.
     pub errors: Vec<String>,
 }
 
@@ -37,11 +37,11 @@ impl Run {
     }
 }
 
-/// Runs a program until so many pictures have been sent, and tells `shown` after each which it is.
+/// Runs a program until it has sent this number of pictures, and passes the number of each to `shown`.
 ///
 /// # Errors
 ///
-/// What is wrong with the program or the emulator. What the display and the chip found wrong is in the [`Run`].
+/// If the program or the emulator fails. Complaints of the display and the chip are in [`Run::errors`] instead.
 pub fn run(program: &Path, pictures: u32, shown: impl FnMut(u32)) -> Result<Run> {
     Ok(serde_json::from_slice(&rp2040::run("ssd1306.mjs", program, pictures.to_string(), shown)?)?)
 }

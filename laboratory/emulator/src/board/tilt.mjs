@@ -1,16 +1,16 @@
-// Runs a program on an emulated Waveshare RP2040-LCD-1.28: see lcd.mjs. Its orders have gesture: [[seconds, x, y, z], …], what its sensor feels in parts of a weight, and
-// sensor: whether there is one. It prints readings: [[seconds, x, y, z], …], all that the sensor has said, too.
+// Runs a program on an emulated Waveshare RP2040-LCD-1.28: see lcd.mjs. Its orders also have gesture: [[seconds, x, y, z], …], the force on the accelerometer in g, and
+// sensor: whether the board has one. Its output also has readings: [[seconds, x, y, z], …], all values measured by the sensor.
 import { play } from './lcd.mjs';
 
-// What the sensor is called by, and what it is: a QMI8658 (QST, QMI8658C datasheet). Full scales are 2, 4, 8 and 16 weights; rates are 8000 a second and halves of it.
+// The sensor's address and registers: a QMI8658 (QST, QMI8658C datasheet). Full scales are 2, 4, 8 and 16 g; rates are 8000 Hz divided by powers of two.
 const ADDRESS = 0x6b;
 const IDENTITY = 0x05;
 const [CTRL1, CTRL2, CTRL5, CTRL7, ACCELERATION] = [0x02, 0x03, 0x06, 0x08, 0x35];
-// How much a reading trembles, in parts of a weight.
+// Amplitude of a reading's noise, g.
 const NOISE = 0.002;
 
 class Qmi8658 {
-    // After power-on the upper byte comes first, and the address stays.
+    // After power-on the upper byte comes first, and the address does not advance.
     registers = new Map([[0x00, IDENTITY], [CTRL1, 0x20], [CTRL2, 0], [CTRL5, 0], [CTRL7, 0]]);
     address = null;
     sample = [0, 0, 0];
@@ -22,7 +22,7 @@ class Qmi8658 {
         this.wrong = wrong;
     }
 
-    // A transfer writes an address first.
+    // A transfer starts by writing a register's address.
     connect(isRead) { if (!isRead) this.address = null; }
 
     write(value) {
@@ -47,7 +47,7 @@ class Qmi8658 {
 
     advance() { if (this.registers.get(CTRL1) & 0x40) this.address += 1; }
 
-    // What is felt at the last of the times at which it measures.
+    // Takes a sample: the force at the sensor's last measuring time.
     measure(seconds) {
         if ((this.registers.get(CTRL7) & 3) !== 1) this.wrong('a reading of an accelerometer that is off, or has a gyroscope beside it');
         if ((this.registers.get(CTRL5) & 1) !== 1) this.wrong('a reading without the filter');
@@ -72,21 +72,21 @@ class Qmi8658 {
     }
 }
 
-// Commands that only a GC9A01 has (GalaxyCore, GC9A01A datasheet, and those that its makers don't explain), and how many parameters each has.
+// Commands that only a GC9A01 has, with their numbers of parameters (GalaxyCore, GC9A01A datasheet; some are undocumented).
 const COMMANDS = {
     0x62: 12, 0x63: 12, 0x64: 7, 0x66: 10, 0x67: 10, 0x70: 9, 0x74: 7, 0x84: 1, 0x85: 1, 0x86: 1, 0x87: 1, 0x88: 1, 0x89: 1, 0x8a: 1, 0x8b: 1, 0x8c: 1, 0x8d: 1, 0x8e: 1,
     0x8f: 1, 0x90: 4, 0x98: 2, 0xae: 1, 0xb6: 2, 0xbc: 1, 0xbd: 1, 0xbe: 1, 0xc3: 1, 0xc4: 1, 0xc9: 1, 0xcd: 1, 0xdf: 3, 0xe1: 2, 0xe8: 1, 0xeb: 1, 0xed: 2, 0xef: 0, 0xf0: 6,
     0xf1: 6, 0xf2: 6, 0xf3: 6, 0xfe: 0, 0xff: 3,
 };
 
-// The panel's own order of rows is the display's from bottom to top, its colours are blue, green, red: what its makers' programs say to it.
+// The panel's rows run from the display's bottom to its top, and its colours are blue, green, red. The maker's own programs send this value.
 const ACCESS = 0x88;
 
 await play({ spi: 1, data: 8, select: 9, reset: 12, commands: COMMANDS, access: ACCESS }, (chip, { gesture, sensor }, wrong) => {
     const { clock } = chip;
     const qmi8658 = new Qmi8658(gesture, wrong);
     const bus = chip.i2c[1];
-    // nine bits take their time on the wires; the emulator leaves out what a chip adds to both halves of the clock
+    // a byte takes nine bits on the wires; the emulator leaves out the cycles that a chip adds to both halves of the clock
     const bits = () => {
         const frequency = chip.clkSys / (bus.sclHighPeriod + bus.sclLowPeriod);
         if (frequency > 401e3) wrong(`a sensor for 400 kHz at ${frequency} Hz`);
@@ -104,7 +104,7 @@ await play({ spi: 1, data: 8, select: 9, reset: 12, commands: COMMANDS, access: 
     bus.onReadByte = () => { const value = qmi8658.read(clock.nanos / 1e9); after(() => bus.completeRead(value)); };
     return {
         shown() {},
-        // until the hand is still
+        // until the gesture ends
         isBusy: () => sensor && clock.nanos / 1e9 < gesture.at(-1)[0],
         seen: () => ({ readings: qmi8658.readings }),
     };

@@ -1,4 +1,4 @@
-//! The Waveshare RP2040-LCD-1.28 in rp2040js: a round LCD, and a sensor in somebody's hand.
+//! The Waveshare RP2040-LCD-1.28 in rp2040js: a round LCD, and an accelerometer that measures the movements of a hand.
 
 use std::path::Path;
 
@@ -11,21 +11,21 @@ use crate::{Firmware, Result};
 /// The program.
 pub const FIRMWARE: Firmware<'static> = Firmware::board("boards/tilt", "tilt", &["thumbv6m-none-eabi"]);
 
-/// A gesture: seconds since the start, and what the sensor feels along its axes, in parts of a weight. Between two rows it changes evenly.
+/// A gesture. A row is the time since the start, s, and the reading of the accelerometer along its three axes, in g. Between two rows readings are interpolated linearly.
 pub type Gesture = Vec<[f64; 4]>;
 
-/// What is done while the program runs: pictures are counted from one.
+/// The plan of a run. Pictures are counted from one.
 #[derive(Clone, Debug, Serialize)]
 pub struct Plan {
-    /// The step whose picture is the last; without one, the kerchief comes to rest after the gesture.
+    /// The step whose picture is the last. `None`: until the kerchief is at rest after the gesture.
     pub until: Option<u32>,
-    /// After which pictures, beside the last, the display is looked at; all, if nothing is said.
+    /// Pictures after which the display is recorded, in addition to the last. `None`: all.
     pub shots: Option<Vec<usize>>,
-    /// Whether what is read from the flash comes through a model of its cache, or at once.
+    /// Whether reads from the flash go through a model of its cache. Otherwise they take no additional time.
     pub cached: bool,
-    /// What the hand does.
+    /// The movements of the hand.
     pub gesture: Gesture,
-    /// Whether there is a sensor to feel it.
+    /// Whether the board has a sensor.
     pub sensor: bool,
 }
 
@@ -35,12 +35,12 @@ impl Default for Plan {
     }
 }
 
-/// From a table into a hand, to the left and to the right, upright, flat and shaken, and back onto the table. It was made from angles and a hand's tremble: no board was there to
-/// record one.
+/// The gesture of `tilt.csv`: from a table into a hand, tilted to the left and to the right, upright, flat and shaken, and back onto the table. It was computed from angles and a
+/// hand's tremble, not recorded on a board.
 ///
 /// # Panics
 ///
-/// If the file is broken.
+/// If `tilt.csv` is malformed.
 pub fn gesture() -> Gesture {
     let rows = include_str!("tilt.csv").lines().skip(1);
     let row = |line: &str| -> Option<[f64; 4]> {
@@ -49,19 +49,19 @@ pub fn gesture() -> Gesture {
     rows.map(|line| row(line).expect("four numbers")).collect()
 }
 
-/// Runs a program, and tells `shown` after every picture which step it shows.
+/// Runs a program, and passes the step of every picture to `shown`.
 ///
 /// # Errors
 ///
-/// What is wrong with the program or the emulator. What the display, the sensor and the chip found wrong is in the [`Run`].
+/// If the program or the emulator fails. Complaints of the display, the sensor and the chip are in [`Run::errors`] instead.
 pub fn run(path: &Path, plan: &Plan, shown: impl FnMut(u32)) -> Result<Run> {
     lcd::run("tilt.mjs", path, plan, shown)
 }
 
-/// What is seen of the display's memory: a disk.
+/// The visible part of the display's memory: a disk.
 pub fn picture(shot: &[u16]) -> RgbImage {
     let mut picture = lcd::picture(shot);
-    // places in halves of a pixel
+    // coordinates in half pixels
     let from_middle = |place: u32| i64::from(2 * place + 1) - i64::from(SIDE);
     for (x, y, pixel) in picture.enumerate_pixels_mut() {
         let [x, y] = [x, y].map(from_middle);

@@ -1,14 +1,14 @@
-//! The largest sheets of a board of 64 KB.
+//! The largest sheets on a board with 64 KB of RAM.
 
 use emulator::Firmware;
 use emulator::machine::M3;
 
-/// A scene of the firmware `capacity` as `docs/fixed-point.md` has it.
+/// A scene of the firmware `capacity`, with the figures of `docs/fixed-point.md`.
 struct Large {
     scene: &'static str,
-    /// Bytes of sheet, solver's memory, renderer and picture.
+    /// Bytes of the sheet, the solver's memory, the renderer and the picture.
     variables: u32,
-    /// The most bytes of stack.
+    /// Upper bound of the stack in use, bytes.
     stack: u32,
 }
 
@@ -31,7 +31,7 @@ fn large_sheets_fit_64_kilobytes_with_their_picture_and_stack() {
         assert_eq!(bytes, variables, "{name}");
         assert!(used <= stack, "{name}: {used} bytes of stack");
         assert!(bytes + used <= all && all <= 1 << 16, "{name}: {bytes} and {used} of {all}");
-        // a sheet of a third of the screen
+        // the sheet covers a third of the screen
         assert!((1_000..128 * 64).contains(&lit), "{name}: {lit} pixels are drawn");
     }
 }

@@ -1,4 +1,4 @@
-//! Two counters that share nothing agree: the boards' clock, whose figures are published, and a plugin of the emulator.
+//! Two independent counters agree: the boards' clock, which gives the published figures, and a QEMU plugin.
 
 use std::path::Path;
 use std::thread;
@@ -11,7 +11,7 @@ use emulator::machine::{M0, M3, M4F, Machine};
 use crate::figures::TICK;
 use crate::measure::USUAL;
 
-/// How far apart they may be.
+/// Largest relative difference of the two counters.
 const TOLERANCE: f64 = 0.01;
 
 #[test]
@@ -38,7 +38,7 @@ fn compare_in(number: &str) {
     assert!(differences.is_empty(), "the counters disagree:\n{}", differences.join("\n"));
 }
 
-/// Every scene of which they count something else.
+/// A message for every scene whose counts differ.
 fn compare(machine: &Machine, program: &Path, counter: &Counter) -> Vec<String> {
     let (printed, counts) = machine.run_marked(program, counter).unwrap();
     let mut counts = counts.into_iter();
@@ -51,7 +51,7 @@ fn compare(machine: &Machine, program: &Path, counter: &Counter) -> Vec<String> 
         let Some(count) = counts.next() else { panic!("{}: no marks around {scene}", machine.name) };
         let second = count / u64::from(counted(scene));
         println!("{}, {scene}: {clock} by the clock, {second} by the second counter", machine.name);
-        // the clock's reading is counted, too, and weighs in short frames
+        // reading the clock is counted, too, and matters in short frames
         if clock.abs_diff(second) as f64 > (TOLERANCE * second as f64).max(TICK as f64) {
             differences.push(format!("{}, {scene}: {clock} by the clock, not {second}", machine.name));
         }

@@ -1,4 +1,4 @@
-//! Sheets move alike, to the last bit, on every machine.
+//! Sheets move identically, to the last bit, on every machine.
 
 use std::collections::BTreeMap;
 use std::thread;
@@ -10,7 +10,7 @@ use emulator::machine::{ALL, M0, M4F, Machine, WASM};
 /// The digest after every frame, by scene, solver and number type.
 type Trails = BTreeMap<[String; 3], Vec<u32>>;
 
-/// A processor with a unit for `f32`, one without, and no processor.
+/// A processor without a unit for `f32`, one with it, and WebAssembly.
 const FEW: [&Machine; 3] = [&M0, &M4F, &WASM];
 
 #[test]
@@ -44,7 +44,7 @@ fn compare_on(machines: &[&'static Machine]) {
     assert!(differences.is_empty(), "sheets moved otherwise:\n{}", differences.join("\n"));
 }
 
-/// What the table says, frame by frame.
+/// The digests of this host, frame by frame. The last of each run is compared with the table.
 fn here() -> Trails {
     let mut trails = Trails::new();
     for case in &CASES {

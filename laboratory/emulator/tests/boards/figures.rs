@@ -1,11 +1,11 @@
-//! The published figures: what they are, and how they are kept.
+//! The published figures: their type, and reading, writing and comparing them.
 
 use std::fs;
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-/// What a scene costs.
+/// The cost of a scene.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Figure {
     pub(crate) number: String,
@@ -25,10 +25,10 @@ pub(crate) struct Figure {
 /// The processors of a [`Figure`].
 pub(crate) const PROCESSORS: [&str; 3] = ["Cortex-M0", "Cortex-M3", "Cortex-M4F"];
 
-/// From here on a figure is another.
+/// Largest relative change that is tolerated.
 const TOLERANCE: f64 = 0.03;
 
-/// The instructions that the boards' clock does not tell apart: those of a tick.
+/// The resolution of the boards' clock: instructions in a tick.
 pub(crate) const TICK: u64 = 80;
 
 fn path() -> PathBuf {
@@ -56,7 +56,7 @@ pub(crate) fn write(figures: &[Figure]) {
     fs::write(path(), text).expect("docs/instructions.csv can be written");
 }
 
-/// In what `found` differs from the `committed` figures.
+/// A message for each figure in which `found` differs from `committed`.
 pub(crate) fn differences(committed: &[Figure], found: &[Figure]) -> Vec<String> {
     let mut differences = Vec::new();
     let key = |figure: &Figure| (figure.number.clone(), figure.scene.clone());
@@ -71,7 +71,7 @@ pub(crate) fn differences(committed: &[Figure], found: &[Figure]) -> Vec<String>
         });
         let columns = PROCESSORS.into_iter().chain(["flash", "cloth", "memory"]);
         for ((column, was), is) in columns.zip(was).zip(is) {
-            // what a frame at rest takes is not much more than the clock tells apart
+            // a frame at rest takes not much more than a tick of the clock
             let least = if PROCESSORS.contains(&column) { TICK } else { 0 };
             if is.abs_diff(was) as f64 > (TOLERANCE * was as f64).max(least as f64) {
                 let way = if is > was { "grew" } else { "shrank" };

@@ -1,4 +1,4 @@
-//! What a linked program consists of: its sections, its functions and which of them call which.
+//! The sections, the functions and the call graph of a linked program.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -11,8 +11,9 @@ use object::{Endianness, Object, ObjectSection, ObjectSymbol, SymbolKind, elf};
 /// A program for an Arm microcontroller.
 #[derive(Debug)]
 pub(crate) struct Image {
-    /// Bytes, without the stack.
+    /// Bytes of flash.
     pub(crate) flash: u64,
+    /// Bytes of RAM, without the stack.
     pub(crate) ram: u64,
     functions: Vec<Function>,
 }
@@ -22,9 +23,9 @@ struct Function {
     name: String,
     address: u64,
     end: u64,
-    /// Where it branches to outside of itself.
+    /// Targets of branches and calls that leave the function.
     targets: BTreeSet<u64>,
-    /// Whether it calls what a register points to.
+    /// Whether it calls an address in a register (BLX).
     indirect: bool,
 }
 
@@ -42,7 +43,7 @@ impl Image {
         self.functions.iter().map(|function| function.name.as_str())
     }
 
-    /// The names of the functions that a call of the function whose name ends with `root` may reach, each with a way there.
+    /// The names of the functions that may be reached from the function whose name ends with `root`, each with a chain of calls.
     pub(crate) fn reached(&self, root: &str) -> BTreeMap<&str, String> {
         let mut waiting: Vec<_> = self.functions.iter().filter(|function| function.name.ends_with(root)).collect();
         assert_eq!(waiting.len(), 1, "one function is called {root}");
@@ -70,7 +71,7 @@ fn functions(file: &ElfFile32<'_>) -> Vec<Function> {
     let inside = |address: &u64| range.contains(address);
     let symbols = || file.symbols().filter(|symbol| inside(&(symbol.address() & !1)));
     let name = |symbol: &object::read::elf::ElfSymbol32<'_, '_>| symbol.name().unwrap_or_default().to_owned();
-    // mapping symbols say where code ($t) and constants ($d) begin
+    // mapping symbols mark the beginnings of code ($t) and constants ($d)
     let mut marks: Vec<(u64, bool)> = symbols()
         .filter(|symbol| name(symbol).starts_with("$t") || name(symbol).starts_with("$d"))
         .map(|symbol| (symbol.address(), name(&symbol).starts_with("$t")))
@@ -82,7 +83,7 @@ fn functions(file: &ElfFile32<'_>) -> Vec<Function> {
         .map(|symbol| (symbol.address() & !1, symbol.size(), name(&symbol)))
         .collect();
     starts.sort_unstable();
-    // several names of one address
+    // one address may have several names
     starts.dedup_by_key(|(address, ..)| *address);
     let ends = starts.iter().skip(1).map(|(address, ..)| *address).chain([range.end]).collect::<Vec<_>>();
     let function = |((address, size, name), next): ((u64, u64, String), u64)| {
@@ -119,14 +120,14 @@ fn functions(file: &ElfFile32<'_>) -> Vec<Function> {
     starts.into_iter().zip(ends).map(function).collect()
 }
 
-/// The target of a branch, with or without link (Arm v7-M Architecture Reference Manual, A7.7.12 and A7.7.18).
+/// The target of a branch instruction, with or without link (Arm v7-M Architecture Reference Manual, A7.7.12 and A7.7.18).
 fn branch(at: u64, first: u16, second: Option<u16>) -> Option<u64> {
     let (first, wide) = (u32::from(first), second.map(u32::from));
     let offset = match wide {
         None if first >> 12 == 0b1101 && (first >> 8) & 0xf < 0xe => extend((first & 0xff) << 1, 9),
         None if first >> 11 == 0b11100 => extend((first & 0x7ff) << 1, 12),
         Some(second) if first >> 11 == 0b11110 && second & 0x9000 == 0x9000 => {
-            // BL and the unconditional branch: J1 and J2 are the upper bits, inverted where the sign is clear
+            // BL and the unconditional branch: J1 and J2 are upper bits of the offset, inverted if the sign bit is clear
             let sign = (first >> 10) & 1;
             let [j1, j2] = [second >> 13, second >> 11].map(|bit| (bit & 1) ^ sign ^ 1);
             extend(sign << 24 | j1 << 23 | j2 << 22 | (first & 0x3ff) << 12 | (second & 0x7ff) << 1, 25)
@@ -141,7 +142,7 @@ fn branch(at: u64, first: u16, second: Option<u16>) -> Option<u64> {
     Some(at.wrapping_add(4).wrapping_add_signed(i64::from(offset)))
 }
 
-/// A number of so many bits with its sign.
+/// Sign-extends a number of `bits` bits.
 fn extend(value: u32, bits: u32) -> i32 {
     (value << (32 - bits)) as i32 >> (32 - bits)
 }

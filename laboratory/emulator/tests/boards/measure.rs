@@ -1,4 +1,4 @@
-//! Measures the figures on the emulated boards, and holds the committed ones to them.
+//! Measures the figures on the emulated boards, and compares the committed ones with them.
 
 use std::collections::BTreeMap;
 use std::thread;
@@ -13,7 +13,7 @@ use crate::figures::{self, Figure, TICK};
 use crate::image::Image;
 use crate::{report, rules};
 
-/// The number type whose figures are always measured.
+/// The number type whose figures are measured in every test run.
 pub(crate) const USUAL: &str = "q24";
 
 #[test]
@@ -34,7 +34,7 @@ fn figures_are_those_that_are_published() {
     report::check(&figures::read());
 }
 
-/// Holds the figures of some number types to what is measured.
+/// Compares the committed figures of some number types with measured ones.
 fn check(is_wanted: impl Fn(&str) -> bool) {
     let found = measured(&is_wanted);
     let committed: Vec<_> = figures::read().into_iter().filter(|figure| is_wanted(&figure.number)).collect();
@@ -45,7 +45,7 @@ fn check(is_wanted: impl Fn(&str) -> bool) {
     rest_is_cheap(&found);
 }
 
-/// What a scene doesn't name costs nothing: `()` in every place is the scene without these places.
+/// Parts that a scene doesn't name cost nothing: a scene with `()` for each of them takes the flash and memory of the bare scene, and its instructions within a tick.
 fn nothing_is_free(figures: &[Figure]) {
     for bare in figures.iter().filter(|figure| figure.scene == "bare") {
         let unnamed = figures.iter().find(|figure| figure.number == bare.number && figure.scene == "unnamed");
@@ -57,7 +57,7 @@ fn nothing_is_free(figures: &[Figure]) {
     }
 }
 
-/// A sheet at rest costs at most a hundredth of one in motion, even of the cheapest.
+/// A sheet at rest costs at most a hundredth of a sheet in motion, by XPBD and by the line solver.
 fn rest_is_cheap(figures: &[Figure]) {
     for moving in figures.iter().filter(|figure| ["xpbd", "lines"].contains(&figure.scene.as_str())) {
         let rest = figures.iter().find(|figure| figure.number == moving.number && figure.scene == "xpbd, at rest");
@@ -68,14 +68,14 @@ fn rest_is_cheap(figures: &[Figure]) {
     }
 }
 
-/// Every scene in some number types, counted and linked.
+/// The figures of every scene in some number types.
 fn measured(is_wanted: impl Fn(&str) -> bool) -> Vec<Figure> {
     let mut here = Here::default();
     bench::play_all(&mut here);
     here.0.retain(|played| is_wanted(played.number));
     let mut numbers: Vec<_> = here.0.iter().map(|scene| scene.number).collect();
     numbers.dedup();
-    // a board counts while a program is linked
+    // boards count while the other programs are linked
     thread::scope(|scope| {
         let flash = scope.spawn(|| here.0.iter().map(linked).collect::<Vec<_>>());
         let counted: Vec<_> = numbers.into_iter().flat_map(|number| executed(number, &here)).collect();
@@ -84,7 +84,7 @@ fn measured(is_wanted: impl Fn(&str) -> bool) -> Vec<Figure> {
     })
 }
 
-/// Instructions, from the boards.
+/// The figures of all scenes in a number type as the boards print them: instructions and bytes of RAM.
 fn executed(number: &str, here: &Here) -> Vec<Figure> {
     let machines = [M0, M3, M4F];
     let targets = machines.map(|machine| machine.target);
@@ -102,7 +102,7 @@ fn executed(number: &str, here: &Here) -> Vec<Figure> {
     scenes.map(|((m0, m3), m4f)| Figure { m3: m3.m0, m4f: m4f.m0, ..m0 }).collect()
 }
 
-/// A line of the firmware `instructions`, with its count in the first place.
+/// Parses a line of the firmware `instructions`. Its count is stored in `m0`, whatever the processor.
 fn parse(line: &str, machine: &str, here: &Here) -> Figure {
     let fields: Vec<_> = line.split("; ").collect();
     let &[number, scene, instructions, cloth, memory, digest] = fields.as_slice() else {
@@ -114,7 +114,7 @@ fn parse(line: &str, machine: &str, here: &Here) -> Figure {
     Figure { number: number.into(), scene: scene.into(), m0, cloth, memory, ..Figure::default() }
 }
 
-/// The flash that a scene's own program takes, which contains and calls nothing that it must not.
+/// The flash of a program with a single scene, checked against the [`rules`].
 fn linked(played: &Played) -> u64 {
     let Played { number, scene, .. } = *played;
     let only = [Some(number), Some(scene)];
@@ -126,7 +126,7 @@ fn linked(played: &Played) -> u64 {
     image.flash
 }
 
-/// A scene as it moves here.
+/// The result of a scene on this host.
 #[derive(Clone, Copy, Debug)]
 struct Played {
     number: &'static str,
@@ -157,7 +157,7 @@ impl Bench for Here {
     }
 }
 
-/// The largest strain of any link in motion by the line solver, in a second from the start, by number type.
+/// The largest strain of a stretch link at the end of a frame, in the first second by the line solver, for each number type.
 pub(crate) fn strains() -> BTreeMap<&'static str, f64> {
     let mut strains = Strains::default();
     bench::play_all(&mut strains);

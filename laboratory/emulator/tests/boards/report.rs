@@ -12,16 +12,16 @@ use crate::measure::strains;
 const PAGE: &str = "docs/instructions.md";
 const GUIDE: &str = "docs/guide/boards.md";
 const FIXED_POINT: &str = "docs/fixed-point.md";
-/// Around the tables of these two.
+/// The lines around the tables of `GUIDE` and `FIXED_POINT`.
 const MARKS: [&str; 2] = ["<!-- figures of boards -->\n", "<!-- end of figures -->\n"];
 
 const PARTICLES: u64 = (SIDE * SIDE) as u64;
 const STRETCH_LINKS: u64 = (2 * SIDE * (SIDE - 1)) as u64;
 const BEND_LINKS: u64 = (2 * SIDE * (SIDE - 2)) as u64;
-/// Two in every cell, as triangles are.
+/// Two in every cell. The number of triangles is the same.
 const DIAGONALS: u64 = (2 * (SIDE - 1) * (SIDE - 1)) as u64;
 
-/// A kernel: what it is, the scene with it, the scene without, and how often a substep runs it.
+/// A kernel: its row's name, a scene with it, a scene without it, and its runs in a substep.
 const KERNELS: [(&str, &str, Option<&str>, u64); 14] = [
     ("stretch link, XPBD sweep", "stretch", Some("bare"), STRETCH_LINKS),
     ("stretch link, Verlet sweep", "verlet, stretch", Some("verlet, bare"), STRETCH_LINKS),
@@ -39,7 +39,7 @@ const KERNELS: [(&str, &str, Option<&str>, u64); 14] = [
     ("capsule, no contact, a particle", "capsule", Some("bare"), PARTICLES),
 ];
 
-/// A frame: its scene and what it consists of.
+/// A frame: its scene and its row's name.
 const FRAMES: [(&str, &str); 8] = [
     ("xpbd", "XPBD, 8 substeps of stretch and shear"),
     ("xpbd, at rest", "the same, at rest (`Resting`)"),
@@ -51,7 +51,7 @@ const FRAMES: [(&str, &str); 8] = [
     ("backward Euler", "backward Euler, a Newton step of stretch and shear"),
 ];
 
-/// What a scene may name, and the scene that has it.
+/// A part of a scene: its row's name, a scene with it and a scene without it.
 const PARTS: [(&str, &str, &str); 16] = [
     ("nothing: `()` in every place", "unnamed", "bare"),
     ("stretch", "stretch", "bare"),
@@ -71,12 +71,12 @@ const PARTS: [(&str, &str, &str); 16] = [
     ("rest, in motion", "xpbd, resting", "xpbd"),
 ];
 
-/// Goals for a figure on each processor, and what is held against them.
+/// Goals for a figure on each processor, and the figures that are compared with them.
 struct Goal {
     what: &'static str,
-    /// The goal, and an aim beyond it. Where there is none nothing is shown.
+    /// The goal, and a more ambitious aim in parentheses. Without a goal no figure is shown.
     goals: [&'static str; 3],
-    /// Names, number types and figures.
+    /// The name, the number type and the figure of each row.
     reached: &'static [(&'static str, &'static str, Reached)],
 }
 
@@ -126,7 +126,7 @@ pub(crate) fn write(figures: &[Figure]) {
     fs::write(path(FIXED_POINT), fixed_point(figures)).expect("docs/fixed-point.md can be written");
 }
 
-/// Holds the pages to the committed figures.
+/// Compares the pages with the committed figures.
 pub(crate) fn check(figures: &[Figure]) {
     for (path, expected) in [(PAGE, page(figures)), (GUIDE, guide(figures)), (FIXED_POINT, fixed_point(figures))] {
         let found = fs::read_to_string(self::path(path)).expect("a page can be read");
@@ -148,7 +148,7 @@ impl<'a> Figures<'a> {
         found.unwrap_or_else(|| panic!("no figure of {scene} in {number}"))
     }
 
-    /// By how much a scene costs more than another, for each processor.
+    /// Instructions of a frame that a scene takes in addition to another scene, for each processor.
     fn more(&self, number: &str, scene: &str, than: Option<&str>) -> [i64; 3] {
         let with = self.get(number, scene).instructions();
         let without = than.map_or([0; 3], |than| self.get(number, than).instructions());
@@ -157,12 +157,12 @@ impl<'a> Figures<'a> {
 
     /// Instructions of one run of a kernel, for each processor.
     fn run(&self, number: &str, (_, scene, than, runs): (&str, &str, Option<&str>, u64)) -> [f64; 3] {
-        // the bare scene of Verlet has one substep, its sweeps are as many as XPBD's substeps
+        // Verlet's scenes have one substep with as many sweeps as XPBD's have substeps
         let runs = runs * u64::from(SWEEPS);
         self.more(number, scene, than).map(|more| more as f64 / runs as f64)
     }
 
-    /// The same in words.
+    /// Like [`Self::run`], formatted.
     fn kernel(&self, number: &str, kernel: (&str, &str, Option<&str>, u64)) -> [String; 3] {
         self.run(number, kernel).map(|instructions| format!("{instructions:.0}"))
     }
@@ -176,23 +176,24 @@ impl<'a> Figures<'a> {
 fn page(figures: &[Figure]) -> String {
     let figures = Figures(figures);
     let mut text = format!(
-        "# What it costs on a board\n\n\
-         Executed instructions, loads and stores included, averaged over a sheet of {SIDE} × {SIDE} particles that hangs from two corners. Counted by \
-         `SysTick` in QEMU, where every instruction takes a nanosecond and a tick takes 80; compiled by Rust {}.0 with the profile `release` of `laboratory/firmware`. A scene's numbers \
-         are not known to the compiler. [`instructions.csv`](instructions.csv) has the counts themselves.\n\n\
-         A second counter, which shares nothing with that clock, counts the same frames: a plugin of QEMU, [`counter`](../laboratory/counter/src/lib.rs), adds up the instructions of \
-         every block that runs. In every scene and number type the two have to agree within 1 %.\n\n\
-         `cargo test -p emulator --test boards -- --include-ignored` measures all of it and fails where anything is off by more than 3 %; with `UPDATE_INSTRUCTIONS=1` it writes this page.\n",
+        "# Costs on a board\n\n\
+         Executed instructions, including loads and stores, averaged over a sheet of {SIDE} × {SIDE} particles that hangs from two corners. `SysTick` counts them in \
+         QEMU, where every instruction takes a nanosecond and a tick takes 80. Rust {}.0 compiles the programs with the profile `release` of `laboratory/firmware`. The compiler \
+         doesn't know the numbers of a scene. [`instructions.csv`](instructions.csv) has the counts themselves.\n\n\
+         A second counter, independent of that clock, counts the same frames: a plugin of QEMU, [`counter`](../laboratory/counter/src/lib.rs), adds up the instructions of \
+         every block that runs. In every scene and number type both must agree within 1 % or within a tick.\n\n\
+         `cargo test -p emulator --test boards -- --include-ignored` measures all figures. It fails if one is off by more than 3 %, and a count of instructions by more than \
+         a tick. With `UPDATE_INSTRUCTIONS=1` it writes this page.\n",
         env!("CARGO_PKG_RUST_VERSION")
     );
-    text += "\n## Kernels\n\nInstructions of one run.\n\n";
+    text += "\n## Kernels\n\nInstructions of one run of each kernel.\n\n";
     text += &head(&["", "number"], &PROCESSORS);
     for kernel in KERNELS {
         for number in figures.numbers() {
             text += &row(&[kernel.0, number], &figures.kernel(number, kernel));
         }
     }
-    text += "\n## Frames\n\nThousands of instructions.\n\n";
+    text += "\n## Frames\n\nThousands of instructions of a frame.\n\n";
     text += &head(&["", "number"], &PROCESSORS);
     for (scene, name) in FRAMES {
         for number in figures.numbers() {
@@ -205,16 +206,16 @@ fn page(figures: &[Figure]) -> String {
         strains.iter().map(|(number, strain)| format!("{:.2} % in {number}", 100.0 * strain)).collect();
     let _ = write!(
         text,
-        "\nThe line solver has {} to a frame of a sixtieth of a second and sweeps at least {}, until no row is strained by more than \
-         {} %: this is the mean of the first second, in which the largest strain of a stretch link at the end of a frame is {}.\n",
+        "\nThe line solver takes {} for a frame of a sixtieth of a second. It sweeps at least {}, until no row is strained by more than \
+         {} %. Its counts are means of the first second, in which the largest strain of a stretch link at the end of a frame is {}.\n",
         if LINES.1 == 1 { "one substep".to_owned() } else { format!("{} substeps", LINES.1) },
         if LINES.0.sweeps == 1 { "once".to_owned() } else { format!("{} times", LINES.0.sweeps) },
         100.0 * LINES.0.tolerance,
         strains.join(", ")
     );
-    text += "\n## What the parts of a scene add\n\nBytes of flash (Cortex-M0) and thousands of instructions of a frame of 8 substeps. What a scene \
-             doesn't name costs nothing. (Less than nothing is flash that the compiler spends on unrolling a loop that is short \
-             without the part.)\n\n";
+    text += "\n## Costs of the parts of a scene\n\nAdditional bytes of flash (Cortex-M0), and additional thousands of instructions of a frame of 8 substeps. Parts that \
+             a scene doesn't name cost nothing. (Negative flash: without the part a loop is short, and the compiler spends flash \
+             on unrolling it.)\n\n";
     text += &head(&["named", "number"], &["flash", PROCESSORS[0], PROCESSORS[1], PROCESSORS[2]]);
     for (name, scene, than) in PARTS {
         for number in figures.numbers() {
@@ -224,7 +225,7 @@ fn page(figures: &[Figure]) -> String {
             text += &row(&[name, number], &[flash.to_string(), m0, m3, m4f]);
         }
     }
-    text += "\n## Memory\n\nBytes of RAM a particle, the stack apart, and bytes of flash (Cortex-M0) of a program that moves the sheet and does nothing \
+    text += "\n## Memory\n\nBytes of RAM a particle, without the stack, and bytes of flash (Cortex-M0) of a program that moves the sheet and does nothing \
              else.\n\n";
     text += &head(&["stretch and shear, by", "number"], &["cloth", "solver's memory", "flash"]);
     for (scene, name) in [("xpbd", "XPBD"), ("verlet", "position Verlet"), ("lines", "line solver")] {
@@ -235,12 +236,12 @@ fn page(figures: &[Figure]) -> String {
             text += &row(&[name, number], &[cloth, memory, figure.flash.to_string()]);
         }
     }
-    text += "\n## What a step calls\n\nNo step in fixed point, as far as it can be followed through the linked program for the Cortex-M0, reaches a routine that \
-             divides or multiplies, or a panic; the program links no routine for floats and no allocator. The test looks at every scene of this page.\n";
+    text += "\n## Routines that a step calls\n\nFor every scene of this page, a test follows the calls of a step in fixed point through the linked program for the Cortex-M0. \
+             As far as they can be followed, no step reaches a routine for divisions or 64-bit products, or a panic. The program links no routine for floats and no allocator.\n";
     text
 }
 
-/// A page with other text in the place for figures.
+/// A page with `text` between its [`MARKS`].
 fn replaced(page: &str, text: &str) -> String {
     let old = fs::read_to_string(path(page)).expect("a page can be read");
     let (before, rest) = old.split_once(MARKS[0]).expect("a page has a place for figures");
@@ -248,7 +249,7 @@ fn replaced(page: &str, text: &str) -> String {
     [before, MARKS[0], text, MARKS[1], after].concat()
 }
 
-/// The page about fixed point with its table of goals: bold is what reaches them.
+/// The page about fixed point with its table of goals. Figures that reach their goal are bold.
 fn fixed_point(figures: &[Figure]) -> String {
     let figures = Figures(figures);
     let mut table = head(&["", ""], &PROCESSORS);
@@ -309,7 +310,7 @@ fn guide(figures: &[Figure]) -> String {
 }
 
 fn thousands(figure: &Figure) -> [String; 3] {
-    // at rest they are few
+    // a frame at rest takes few
     figure.instructions().map(|count| format!("{:.*}", if count < 10_000 { 2 } else { 0 }, count as f64 / 1e3))
 }
 

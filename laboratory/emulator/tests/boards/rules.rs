@@ -1,12 +1,12 @@
-//! What a fixed-point firmware must not contain, and what its step must not call.
+//! Functions that fixed-point firmware must not contain, and functions that its step must not call.
 
 use crate::image::Image;
 
-/// Number types that are floats: a chip without a unit for them calls routines.
+/// Floating-point types: a chip without a unit for them calls routines.
 const FLOATS: [&str; 2] = ["f32", "f64"];
 
-/// Checks a program that does nothing but move a sheet: it has no allocator and, in fixed point, no float; no step in fixed point calls a routine that divides or
-/// multiplies, or panics.
+/// Checks a program that only moves a sheet. It contains no allocator and, in fixed point, no routine for floats. A step in fixed point reaches no routine
+/// for divisions or 64-bit products, and no panic.
 pub(crate) fn check(image: &Image, number: &str, scene: &str) {
     let allocator = image.names().find(|name| name.contains("alloc::"));
     assert_eq!(allocator, None, "{scene} in {number}: something allocates");
@@ -22,7 +22,7 @@ pub(crate) fn check(image: &Image, number: &str, scene: &str) {
     }
 }
 
-/// Run-time ABI for the Arm Architecture, 4.1: the floating-point helpers; and the names of their bodies.
+/// Floating-point helpers (Run-time ABI for the Arm Architecture, 4.1) and the functions that implement them.
 fn is_float(name: &str) -> bool {
     name.starts_with("__aeabi_f")
         || name.starts_with("__aeabi_d")
@@ -30,12 +30,12 @@ fn is_float(name: &str) -> bool {
         || name.starts_with("compiler_builtins::float")
 }
 
-/// Divisions, as calls (Run-time ABI, 4.2 and 4.3).
+/// Routines that divide (Run-time ABI, 4.2 and 4.3).
 fn is_division(name: &str) -> bool {
     name.starts_with("__aeabi_") && name.contains("div") || name.contains("div_rem") || name.contains("divmod")
 }
 
-/// Products of 64 bits, as calls (Run-time ABI, 4.2).
+/// Routines for 64-bit products (Run-time ABI, 4.2).
 fn is_product(name: &str) -> bool {
     ["__aeabi_lmul", "__multi3"].contains(&name)
 }

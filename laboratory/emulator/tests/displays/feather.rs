@@ -1,10 +1,10 @@
-//! Number types on an FPU: the board and a host reach the same sheets, and the board counts as a second counter does.
+//! Number types on an FPU: the board and a host compute the same sheets, and the board's clock agrees with a second counter.
 
 use emulator::board::feather::{FIRMWARE, run_marked};
 use emulator::counter::Counter;
 use feather::race::{FRAMES, Judge, Result, race};
 
-/// The host's results. What a frame costs is the board's to say.
+/// The host's results. Costs are measured on the board only.
 struct Results(Vec<Result>);
 
 impl Judge for Results {
@@ -42,7 +42,7 @@ fn the_feather_computes_what_a_host_computes() {
     });
     assert!(expected.eq(rows.iter().map(|(row, _)| row.clone())), "{rows:?} {:?}", results.0);
 
-    // a counter that shares nothing with the board's clock
+    // the second counter is independent of the board's clock
     let counts: Vec<_> = counts.chunks(FRAMES as usize).map(|frames| frames.iter().sum::<u64>() as f64).collect();
     assert_eq!(counts.len(), rows.len());
     for ((row, cost), count) in rows.iter().zip(counts) {
@@ -50,12 +50,12 @@ fn the_feather_computes_what_a_host_computes() {
         assert!((*cost as f64 - frame).abs() <= 0.01 * frame, "{row:?}: {cost} by the clock, not {frame}");
     }
 
-    // rows come in threes of two solvers: floating point first
+    // two solvers for each of three number types, floating point first
     let cost = |row: usize| rows[row].1 as f64;
     for (solver, name) in ["XPBD", "lines"].into_iter().enumerate() {
         let [q24, q13] = [2, 4].map(|row| cost(row + solver) / cost(solver));
         println!("{name}: instructions of q24 and q13 in those of f32: {q24:.2}, {q13:.2}");
     }
-    // what the FPU is for, and what 32-bit products are for
+    // with an FPU, the line solver is cheaper in f32 than in q24; thanks to 32-bit products, XPBD is cheaper in q13 than in f32
     assert!(cost(1) < cost(3) && cost(4) < cost(0), "{rows:?}");
 }

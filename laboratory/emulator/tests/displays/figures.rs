@@ -1,22 +1,22 @@
-//! The guide's figures of boards with displays.
+//! The guide's table of boards with displays.
 
 use std::fs;
 use std::sync::Mutex;
 
-/// From here on a figure is another.
+/// Largest relative change that is tolerated.
 const TOLERANCE: f64 = 0.03;
-/// Tests run side by side.
+/// Locks the guide: tests run in parallel.
 static FILE: Mutex<()> = Mutex::new(());
 
-/// What a picture costs.
+/// The cost of a picture.
 pub(crate) struct Figures {
-    /// Simulate, sort, fill, transfer.
+    /// Parts of the cost: simulate, sort, fill, transfer.
     pub(crate) parts: [u32; 4],
     /// Pictures in a second.
     pub(crate) rate: u32,
 }
 
-/// Holds the row of a board in the guide's table to what was measured; with `UPDATE_DISPLAYS=1` it is written.
+/// Compares the row of a board in the guide's table with measured figures, or writes it with `UPDATE_DISPLAYS=1`.
 pub(crate) fn check(board: &str, figures: &Figures) {
     let _alone = FILE.lock();
     let guide = emulator::root().join("docs/guide/boards.md");

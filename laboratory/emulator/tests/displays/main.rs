@@ -1,4 +1,4 @@
-//! The programs for boards, in emulators that others wrote: what a board shows is what a host draws, pixel for pixel, and what it prints is what a host computes.
+//! The programs for boards, in third-party emulators: each board shows the pixels that a host draws, and prints the results that a host computes.
 
 mod feather;
 mod figures;

@@ -1,11 +1,11 @@
-//! The flag on the micro:bit's LEDs: the board and a host move and shine alike.
+//! The flag on the micro:bit's LEDs: the board and a host compute the same motion and the same brightness.
 
 use emulator::board::microbit::{FIRMWARE, levels, start};
 use kerchief::measure;
 use microbit::leds::BRIGHTEST;
 use microbit::show::Show;
 
-/// Bytes of stack that may be used.
+/// Upper bound of the stack in use, bytes.
 const STACK: u32 = 8 << 10;
 
 #[test]

@@ -1,4 +1,4 @@
-//! The curtain on the OLED: the board and a host move and draw alike.
+//! The curtain on the OLED: the board and a host compute the same motion and the same pictures.
 
 use std::path::PathBuf;
 
@@ -13,13 +13,13 @@ use oled::show::{Room, SCREEN, Show, Stick};
 use crate::figures::{self, Figures};
 use crate::report::reports;
 
-/// At 50 MHz the emulator counts twenty instructions of a nanosecond in a cycle.
+/// A cycle at 50 MHz takes twenty nanoseconds, an emulated instruction one nanosecond.
 const INSTRUCTIONS_OF_A_CYCLE: u32 = 20;
-/// What a picture may take.
+/// Upper bound of a picture's instructions.
 const GOAL: u32 = 1_500_000;
-/// Bytes of stack that may be used.
+/// Upper bound of the stack in use, bytes.
 const STACK: u32 = 40 << 10;
-/// The largest strains as the curtain swings by itself, and as the joystick shakes it. By XPBD in five substeps a step they were 6 and 14 %.
+/// Upper bounds of the strain while the curtain swings freely, and while the joystick shakes it. With XPBD in five substeps a step the strains were 6 and 14 %.
 const STRAINS: [f64; 2] = [0.01, 0.021];
 const RIGHT: Stick = Stick { right: 1, away: 0 };
 const FREE: Stick = Stick { right: 0, away: 0 };
@@ -34,7 +34,7 @@ fn the_curtain_hardly_stretches() {
         assert!(steps < 1200, "no rest");
         assert!(show.strain().to_f64() < STRAINS[0], "{:?} in step {steps}", show.strain());
     }
-    // each way for a second or two, a minute long
+    // a minute of shaking, each direction for one or two seconds
     for step in 0..1800 {
         let stick = Stick { right: [1, -1, 0, 1, 0][step / 37 % 5], away: [0, 1, -1, 0, 0, 1][step / 53 % 6] };
         show.step(stick);
@@ -67,7 +67,7 @@ fn the_oled_shows_what_a_host_computes() {
     assert!(instructions.iter().sum::<u32>() <= GOAL, "{instructions:?}");
     figures::check("oled", &Figures { parts: instructions, rate: report.rate });
 
-    // to its rest, from which the joystick wakes it
+    // the curtain comes to rest, and the joystick wakes it
     let mut step = 120;
     while show.step(FREE) {
         step += 1;
@@ -75,7 +75,7 @@ fn the_oled_shows_what_a_host_computes() {
         assert!(step < 1200, "no rest");
     }
     assert!(board.rests().unwrap(), "a picture at rest, after step {step}");
-    // the emulated buttons are down until they have been up once
+    // emulated buttons read as pressed until they have been released once
     board.press("right", 100).unwrap();
     assert!(board.still_rests().unwrap(), "a button that was never up");
     board.press("right", 2000).unwrap();
@@ -97,7 +97,7 @@ fn the_oled_shows_what_a_host_computes() {
     assert_eq!(board.errors().unwrap(), "");
 }
 
-/// Where an instruction takes 128 ns, a picture takes five steps: two are made, three dropped.
+/// With instructions of 128 ns a picture takes as long as five steps: the program makes two of them and drops three.
 #[test]
 fn a_slow_oled_drops_steps_and_moves_as_ever() {
     let mut board = Qemu::start(MACHINE, None, &program(), 7).unwrap();

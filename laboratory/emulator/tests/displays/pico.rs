@@ -1,4 +1,4 @@
-//! The flag on the Pico's LCD: the board and a host move and draw alike.
+//! The flag on the Pico's LCD: the board and a host compute the same motion and the same pictures.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -15,20 +15,20 @@ use pico::show::{RATE, SCREEN, Show};
 use crate::figures::{self, Figures};
 use crate::report::{Report, reports};
 
-/// Bytes of stack that may be used.
+/// Upper bound of the stack in use, bytes.
 const STACK: usize = 32 << 10;
-/// After these pictures the button is pressed, and two pictures later released.
+/// Pictures after which the button is pressed; it is released two pictures later.
 const PRESSED: [usize; 2] = [122, 132];
-/// 200 MHz.
+/// Clock frequency, Hz.
 const FREQUENCY: u32 = 200_000_000;
-/// Pictures in a second, at least.
+/// Lower bound of the pictures in a second.
 const PICTURES: u32 = 60;
-/// Seconds of gusts that a host plays.
+/// Seconds of gusts that the host simulates.
 const PLAYED: u32 = 200;
-/// The largest strain in them.
+/// Upper bound of the strain in these gusts.
 const STRAIN: f64 = 0.02;
 
-/// Of which there are pictures to look at.
+/// Numbers of the pictures that are compared.
 const SHOTS: [usize; 9] = [1, 2, 20, 60, 115, 124, 125, 134, 142];
 
 fn play(plan: &Plan) -> Run {
@@ -37,7 +37,7 @@ fn play(plan: &Plan) -> Run {
     run
 }
 
-/// From its start to its rest, without the cache of its flash: once for all tests.
+/// The run from the start to the rest, without the model of the flash's cache. It is shared by all tests.
 fn shown() -> &'static Run {
     static RUN: OnceLock<Run> = OnceLock::new();
     RUN.get_or_init(|| {
@@ -58,7 +58,7 @@ fn the_pico_shows_what_a_host_computes() {
     let mut shots = run.shots.iter();
     let mut before = 0;
     for (picture, step) in (1_usize..).zip(&run.steps) {
-        // when a picture is seen, the next one's step is made already
+        // when a picture appears, the step of the next one has already been made
         if PRESSED.contains(&picture.saturating_sub(2)) {
             show.press();
         }
@@ -71,7 +71,7 @@ fn the_pico_shows_what_a_host_computes() {
         }
         if let Some(report) = reports.get(step) {
             assert_eq!(report.digest, measure::digest(&show.cloth), "after step {step}");
-            // what it shows from the next picture on
+            // the next pictures show this rate
             show.note(report.rate, FREQUENCY / 1_000_000);
             assert!(report.rate >= PICTURES, "{} pictures a second", report.rate);
         }
@@ -91,7 +91,7 @@ fn the_pico_shows_what_a_host_computes() {
     figures::check("pico", &Figures { parts: gusts.cycles, rate: gusts.rate });
 }
 
-/// The second line of the log: a flag in gusts, without what the start costs.
+/// The second line of the log: a flag in gusts, without the costs of the start.
 fn flying(reports: &BTreeMap<u32, Report>) -> &Report {
     reports.values().nth(1).expect("two lines")
 }
@@ -121,7 +121,7 @@ fn gusts_strain_the_flag_of_the_pico_by_less_than_two_percent() {
     let largest = strains.fold(0.0, f64::max);
     println!("the largest strain in {PLAYED} s is {:.2} %", 100.0 * largest);
     assert!(largest <= STRAIN, "{largest}");
-    // it flies
+    // the flag must fly, not hang
     assert!(largest > STRAIN / 10.0, "{largest}");
 }
 

@@ -1,4 +1,4 @@
-//! What boards log.
+//! Reads the logs of boards.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ pub(crate) struct Report {
     /// Pictures in a second.
     pub(crate) rate: u32,
     pub(crate) dropped: u32,
-    /// Of a picture: simulate, sort, fill, transfer.
+    /// Cycles of a picture: simulate, sort, fill, transfer.
     pub(crate) cycles: [u32; 4],
 }
 

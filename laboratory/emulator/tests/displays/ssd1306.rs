@@ -1,12 +1,12 @@
-//! The flag on a small OLED, by its usual driver.
+//! The flag on a small OLED, with the `ssd1306` driver.
 
 use emulator::board::ssd1306::{FIRMWARE, run};
 use emulator::photograph::photograph;
 use emulator::root;
 
-/// As `cargo emulate ssd1306 --steps 40 --png docs/ssd1306.png` makes the picture.
+/// `cargo emulate ssd1306 --steps 40 --png docs/ssd1306.png` writes the expected picture.
 const PICTURES: u32 = 40;
-/// Twenty pictures a second, after the start.
+/// Upper bound of the time: twenty pictures a second, and 150 ms for the start.
 const MILLISECONDS: f64 = 50.0 * PICTURES as f64 + 150.0;
 
 #[test]

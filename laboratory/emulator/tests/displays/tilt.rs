@@ -1,4 +1,4 @@
-//! The kerchief on the round LCD: the board and a host feel the same gesture, and move and draw alike.
+//! The kerchief on the round LCD: with the same gesture, the board and a host compute the same motion and the same pictures.
 
 use std::sync::OnceLock;
 
@@ -14,22 +14,23 @@ use tilt::show::{RATE, SCREEN, Show, WEIGHT};
 use crate::figures::{self, Figures};
 use crate::report::{Report, reports};
 
-/// Bytes of stack that may be used.
+/// Upper bound of the stack in use, bytes.
 const STACK: usize = 32 << 10;
-/// 200 MHz.
+/// Clock frequency, Hz.
 const FREQUENCY: u32 = 200_000_000;
-/// Steps between two pictures, at most.
+/// Upper bound of the steps between two pictures in motion.
 const MOST: u32 = 2;
-/// Pictures in a second, at least, while the hand holds the board.
+/// Lower bound of the pictures in a second while the board is in the hand.
 const RATE_IN_HAND: u32 = 30;
-/// Parts of a weight: what a reading may be off the gesture, by noise and rounding.
+/// Largest difference of a reading from the gesture by noise and rounding, g.
 const NOISE: f64 = 0.0025;
-/// The largest strains: in the gesture, and as it is shaken for long.
+/// Upper bounds of the strain: in the gesture, and in long shaking.
 const STRAINS: [f64; 2] = [0.02, 0.03];
-/// By so many weights, each time for so many seconds.
+/// Amplitudes of the shaking, g.
 const SHAKES: [f64; 4] = [1.5, 2.5, 3.0, 4.0];
+/// Seconds of shaking for each amplitude.
 const SHAKEN: u32 = 60;
-/// Of which there are pictures to look at.
+/// Numbers of the pictures that are compared.
 const SHOTS: [usize; 10] = [1, 2, 40, 80, 130, 180, 230, 280, 330, 380];
 
 fn play(plan: &Plan) -> Run {
@@ -38,18 +39,18 @@ fn play(plan: &Plan) -> Run {
     run
 }
 
-/// The whole gesture, until the kerchief rests: once for all tests.
+/// The run through the whole gesture, until the kerchief rests. It is shared by all tests.
 fn shown() -> &'static Run {
     static RUN: OnceLock<Run> = OnceLock::new();
     RUN.get_or_init(|| play(&Plan { shots: Some(SHOTS.to_vec()), ..Plan::default() }))
 }
 
-/// From the sensor's axes to the display's: right, away from the viewer, up.
+/// Converts the sensor's axes to the display's: right, away from the viewer, up.
 fn turned([x, y, z]: [i32; 3]) -> [i32; 3] {
     [-y, z, -x]
 }
 
-/// What is felt, in parts of a weight.
+/// The force of the gesture at a time, g, interpolated linearly.
 fn felt(gesture: &Gesture, seconds: f64) -> [f64; 3] {
     let next = gesture.partition_point(|row| row[0] <= seconds);
     let [from, to] = [next.saturating_sub(1), next.min(gesture.len() - 1)].map(|row| gesture[row]);
@@ -101,7 +102,7 @@ fn the_board_in_a_hand_shows_what_a_host_computes() {
     assert!(largest <= STRAINS[0], "{largest}");
     assert!(rests.iter().sum::<usize>() > 5, "it rests on the table, and the hand wakes it: {rests:?}");
 
-    // and stays so, though the sensor trembles
+    // the kerchief stays at rest in spite of the sensor's noise
     let mut asked = 0;
     while readings.len() > 0 {
         if show.is_attentive() {
@@ -157,7 +158,7 @@ fn a_board_without_a_sensor_says_so_and_hangs_its_kerchief_down() {
 #[test]
 fn shaking_hardly_stretches_the_kerchief() {
     for weights in SHAKES {
-        // along each axis, in turns that never repeat
+        // along each axis, with a different period each
         let wave = |step: u32, period: f64| (weights * f64::from(WEIGHT) * (f64::from(step) / period).sin()) as i32;
         let mut show = Show::new();
         let (mut largest, mut nearest, mut farthest) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -170,7 +171,7 @@ fn shaking_hardly_stretches_the_kerchief() {
         }
         println!("the largest strain in {SHAKEN} s by {weights} weights is {:.2} %", 100.0 * largest);
         assert!(largest <= STRAINS[1], "{largest} by {weights} weights");
-        // it flies, by cells to both sides of its pegs
+        // the kerchief must fly, by more than two cells to both sides of its pegs
         assert!(nearest < -2.0 && farthest > 2.0, "{nearest} to {farthest} by {weights} weights");
     }
 }

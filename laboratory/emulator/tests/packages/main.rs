@@ -1,4 +1,4 @@
-//! Packages for boards are complete: what is copied out of the repository builds with nothing but a version of the crate.
+//! Packages for boards are complete: a copy outside of the repository builds with only a published version of the crate.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ fn a_copy_of_a_board_builds_anywhere() {
         let copy = room.path().join("copy");
         copy_folder(&root().join(board.package), &copy);
         if !copy.join("memory.x").exists() {
-            // the demo board, whose user copies two files more
+            // the demo board: its user copies two more files
             for file in ["memory.x", "Cargo.lock"] {
                 fs::copy(root().join(file), copy.join(file)).unwrap();
             }
@@ -26,7 +26,7 @@ fn a_copy_of_a_board_builds_anywhere() {
         let found = footprint::of(&build(&copy, &board)).unwrap();
         let expected = footprint::of(&board.build().unwrap()[board.targets[0]]).unwrap();
         let [flash, ram] = [0, 1].map(|k| found[k].abs_diff(expected[k]));
-        // what constructors say where they panic holds the path of their caller's file
+        // panic messages of constructors contain the path of the caller's file
         assert!(
             flash <= 32 && ram == 0,
             "{}: {found:?} bytes of flash and RAM, {expected:?} of the original",
@@ -35,12 +35,12 @@ fn a_copy_of_a_board_builds_anywhere() {
     }
 }
 
-/// What a user types in the copy, and the version of the crate.
+/// Builds the copy with a user's command, and with this repository as the published crate.
 fn build(copy: &Path, board: &Firmware<'_>) -> PathBuf {
     let patch = format!("patch.crates-io.kerchief.path={:?}", root().display().to_string());
     let mut cargo = Command::new("rustup");
     cargo.args(["run", emulator::TOOLCHAIN, "cargo", "build", "--release", "--config", &patch]);
-    // only so that the test is quicker
+    // reuses compiled dependencies to save time
     cargo.arg("--target-dir").arg(target());
     for variable in ["CARGO", "RUSTC", "RUSTDOC", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "RUSTC_BOOTSTRAP"] {
         cargo.env_remove(variable);
@@ -66,7 +66,7 @@ fn copy_folder(from: &Path, to: &Path) {
     }
 }
 
-/// A package that can be copied has what it needs; what several need is the same in all of them.
+/// Each package contains the files that it needs. Files that several packages need are identical in all of them.
 #[test]
 fn what_packages_have_in_common_is_the_same() {
     let copies = [

@@ -1,5 +1,5 @@
 //! The largest sheets that a board of 64 KB moves and draws: 32 × 32 particles by XPBD and 24 × 24 by the line solver, in fixed point, lit and shaded in 16 greys
-//! on 128 × 64 pixels. Prints for each `sheet; bytes of its variables; bytes of stack; bytes of RAM; grey pixels of the last picture`.
+//! on 128 × 64 pixels. Prints a line `sheet; bytes of its variables; bytes of stack; bytes of RAM; grey pixels of the last picture`. `KERCHIEF_SCENE` selects `xpbd` or `lines`.
 //!
 //! ```sh
 //! cd laboratory/firmware
@@ -27,20 +27,20 @@ const FRAMES: u32 = 30;
 
 type Picture = Framebuffer<Gray4, RawU4, BigEndian, 128, 64, { buffer_size::<Gray4>(128, 64) }>;
 
-/// A metre of cloth.
+/// A sheet of 1 m × 1 m with N × N particles.
 const fn units<const N: usize>(substeps: u32) -> Units {
     Units::sheet([N, N], [1.0, 1.0], 1e-3, 1.0 / 60.0, substeps)
 }
 
-/// Cloth under a lamp.
+/// Light grey cloth under a lamp.
 const fn look() -> Look<Rgb888, Rgb888> {
     Look::new(Light::new(-40.0, 50.0), Rgb888::new(230, 230, 230))
 }
 
-/// What `cortex-m-rt` fills the stack with before the program starts.
+/// The word with which `cortex-m-rt` fills the stack before the program starts.
 const PAINT: u32 = 0xcccc_cccc;
 
-/// The most bytes of stack that were in use at any time, and how many there are.
+/// The largest number of bytes of stack that were in use at any time, and the stack's size.
 #[allow(unsafe_code, reason = "the linker knows where the stack is")]
 fn stack() -> [usize; 2] {
     unsafe extern "C" {
@@ -57,13 +57,13 @@ fn stack() -> [usize; 2] {
 /// The links of every sheet.
 type Springs = (Stretch<Q24>, Shear<Q24>);
 
-/// Plays a sheet in a room of its own.
+/// Plays a sheet in static memory of its own.
 macro_rules! play {
     ($name:literal: $side:literal, $substeps:literal, $kind:ty, $solver:expr, $memory:expr) => {{
         const UNITS: Units = units::<$side>($substeps);
         const VIEW: View =
             View::new(20.0, 10.0).fit(UNITS.point([0.0, 0.0, 0.0]), UNITS.point([1.0, 0.1, 1.0]), SCREEN);
-        // made where they stay: what is moved there is on the stack meanwhile
+        // constructed in place: a value that is moved into a static would be on the stack first
         static CLOTH: ConstStaticCell<Cloth<Q24, $side, $side>> = ConstStaticCell::new(Cloth::BLANK);
         static MEMORY: ConstStaticCell<<$kind as Solver<Q24>>::Memory<Springs, $side, $side>> =
             ConstStaticCell::new($memory);

@@ -1,5 +1,5 @@
-//! Plays the scenes of the digests on a board, in every number type by every solver, and prints the digest after every frame: the sheet moves
-//! alike, to the last bit, wherever it moves. The tests `boards` of the emulator compare.
+//! Plays the scenes of the digests on a board, in every number type by every solver, and prints the digest after every frame. Sheets move
+//! identically, to the last bit, on every machine: the tests `boards` of the emulator compare the digests.
 //!
 //! ```sh
 //! cd laboratory/firmware

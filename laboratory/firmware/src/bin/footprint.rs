@@ -1,5 +1,5 @@
-//! A program that moves a sheet and does nothing else: what a scene takes of a board's flash is what this takes, and what it links is what a scene
-//! needs. `KERCHIEF_NUMBER` and `KERCHIEF_SCENE` in the environment of the build choose among the scenes of [`cases::bench`].
+//! A program that moves a sheet and does nothing else. Its flash is the flash that a scene takes; its functions are the functions that a scene
+//! needs. `KERCHIEF_NUMBER` and `KERCHIEF_SCENE` in the environment of the build select one of the scenes of [`cases::bench`].
 //!
 //! ```sh
 //! cd laboratory/firmware
@@ -39,7 +39,7 @@ impl Bench for Forever {
     }
 }
 
-/// A function of its own, so that what a step calls can be told from what the start calls.
+/// A separate function, so that a test can tell the calls of a step from the calls of the setup.
 #[inline(never)]
 fn frame<S, F, L, C, V>(
     scene: &Scene<F, L, C, V>,
@@ -63,7 +63,7 @@ fn main() -> ! {
     }
 }
 
-/// Not linked, because nothing can panic: the test looks for it.
+/// A `no_std` program must have this function. A test asserts that no step in fixed point reaches a panic.
 #[panic_handler]
 fn panic(_: &PanicInfo<'_>) -> ! {
     loop {}

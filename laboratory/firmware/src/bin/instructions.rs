@@ -1,15 +1,15 @@
 //! Counts the instructions that a board executes for a frame of each scene of [`cases::bench`], and prints a line `number; scene; instructions of a frame;
 //! bytes of the cloth; bytes of the solver's memory; digest`.
 //!
-//! It counts in QEMU, with `-icount shift=0`.
+//! Counts are those of QEMU with `-icount shift=0`.
 //!
 //! ```sh
 //! cd laboratory/firmware
 //! KERCHIEF_NUMBER=q24 cargo run --release --target thumbv6m-none-eabi --bin instructions
 //! ```
 //!
-//! `KERCHIEF_NUMBER` and `KERCHIEF_SCENE` in the environment of the build leave one number type or one scene: a small flash doesn't hold all.
-//! `UPDATE_INSTRUCTIONS=1 cargo test -p emulator --test boards -- --ignored published` makes `docs/instructions.md` of it.
+//! `KERCHIEF_NUMBER` and `KERCHIEF_SCENE` in the environment of the build select one number type or one scene: a small flash has no space for all.
+//! `UPDATE_INSTRUCTIONS=1 cargo test -p emulator --test boards -- --ignored published` writes the counts to `docs/instructions.md`.
 #![no_std]
 #![no_main]
 
@@ -26,7 +26,7 @@ use kerchief::force::Force;
 use kerchief::{Cloth, Collider, Links, Scalar, Scene, Solver, measure};
 use panic_semihosting as _;
 
-/// A clock that meets scenes.
+/// Counts and prints each scene.
 struct Counter(Clock);
 
 impl Bench for Counter {
@@ -41,14 +41,14 @@ impl Bench for Counter {
         C: Collider<S>,
         V: Solver<S>,
     {
-        // numbers that are known at run time only, as those of a board that is tilted
+        // parameters that are known at run time only, like the gravity of a tilted board
         let scene = black_box(scene);
         let mut memory = scene.memory();
         for _ in 0..WARM_UP {
             scene.step_one(&mut cloth, &mut memory);
         }
         let frames = counted(name);
-        // all at once: a frame at rest takes not much more than a tick of the clock
+        // all frames in one measurement: a frame at rest takes not much more than a tick of the clock
         let instructions = self.0.instructions(|| (0..frames).for_each(|_| scene.step_one(&mut cloth, &mut memory)));
         hprintln!(
             "{}; {}; {}; {}; {}; {:08x}",

@@ -1,7 +1,7 @@
 //! Plays one scene, a stiff sheet that falls from two corners, by several solvers in many settings, and prints for each a line `solver number substeps sweeps
-//! [tolerance]; instructions of a frame; digest`: what accuracy costs on a board. `board_precision` puts the errors beside it.
+//! [tolerance]; instructions of a frame; digest`. The study `board_precision` compares these costs with errors.
 //!
-//! It counts in QEMU, with `-icount shift=0`. `KERCHIEF_NUMBER` in the environment of the build leaves one number type.
+//! Counts are those of QEMU with `-icount shift=0`. `KERCHIEF_NUMBER` in the environment of the build selects one number type.
 //!
 //! ```sh
 //! cd laboratory/firmware
@@ -43,7 +43,7 @@ fn play<S: Scalar, V: Solver<S>>(clock: &mut Clock, units: &Units, name: &str, s
     hprintln!("{} {} {}; {}; {:08x}", name, S::NAME, settings, counted / FRAMES, measure::digest(&cloth));
 }
 
-/// Each setting with its units, which the compiler works out: no float is left of them.
+/// Plays each setting. The compiler evaluates its units, so that the program contains none of their floats.
 macro_rules! settings {
     ($clock:ident, $S:ty, $($name:literal $substeps:literal $rest:literal $solver:expr;)*) => {
         $({
