@@ -101,7 +101,7 @@ fn rigid_plates_are_pressed_as_by_the_aerodynamic_model_at_every_angle() {
     fn every<S: Scalar>(bound: f64) {
         for size in [[1.0, 1.0], [1.0, 0.6], [0.3, 1.0], [0.1, 1.0]] {
             for speed in [0.5, 2.0, 10.0, 40.0] {
-                // a force of only a few last places has less than two digits
+                // a force of only a few last places has fewer than two digits
                 if size[0] < 0.2 && speed < 1.0 {
                     continue;
                 }

@@ -128,7 +128,7 @@ fn a_tether_to_a_pin_that_was_let_go_holds_nothing() {
     assert!(apart > 30.0, "{apart} cells");
 }
 
-/// Each link family has its part of the solver's memory, in whatever order a scene names the families.
+/// Each link family has its part of the solver's memory, in any order in which a scene names the families.
 #[test]
 fn the_order_of_families_does_not_matter() {
     let units = Units::sheet([8, 8], [0.7, 0.7], 1e-3, 1.0 / 60.0, 2);

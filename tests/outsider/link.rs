@@ -100,7 +100,7 @@ fn dampers_of_ones_own_take_energy_and_keep_momentum() {
     let (energies, start, end) = play(20.0, 0.02);
     let units = units();
     assert!(energies.windows(2).all(|pair| pair[1] <= pair[0]), "{energies:?}");
-    // the rest is the energy of the sheet's drift and spin
+    // the remaining energy is that of the sheet's drift and spin
     assert!(energies[100] < 0.1 * energies[0], "{} of {}", energies[100], energies[0]);
     let [before, after] = [start, end].map(|cloth| measure::momentum(&cloth, &units));
     (0..3).for_each(|k| assert!((before[k] - after[k]).abs() < 1e-15, "momentum {before:?} became {after:?}"));

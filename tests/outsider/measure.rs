@@ -15,7 +15,7 @@ fn centre<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, uni
     moment.map(|sum| sum / mass)
 }
 
-/// The centre of mass falls by ½·g·t², whatever the motion within the sheet.
+/// The centre of mass falls by ½·g·t², with any motion within the sheet.
 fn the_centre_falls_freely<S: Scalar>(bound: f64) {
     let units = Units::sheet([5, 4], [0.4, 0.3], 1e-3, 0.02, 8);
     let mut cloth = Cloth::<S, 5, 4>::lay(&units, units.point([0.0; 3]));

@@ -42,8 +42,8 @@ fn creeping_goes_on<S: Scalar>(slowest: f64) {
     assert!(fallen::<S>((gravity(3e-3), Drag::new(UNITS.drag(100.0)))) < 1e-3);
 }
 
-/// Two slow falls: one whose drag limits it to slightly more than the speed threshold, and one by slightly more than the acceleration threshold, which is a
-/// ten-thousandth of gravity and takes a second to reach the speed threshold.
+/// Two slow falls. Drag limits the first to slightly more than the speed threshold. The second has slightly more than the threshold of acceleration, which is a
+/// ten-thousandth of gravity and reaches the speed threshold in a second.
 fn slow_falls_go_on<S: Scalar>() {
     let sunk = fallen::<S>((gravity(9.81), Drag::new(UNITS.drag(9.81 / (1.2 * STILL.speed)))));
     assert!((sunk / (60.0 * 1.2 * STILL.speed) - 1.0).abs() < 0.02, "{sunk} m in {}", S::NAME);

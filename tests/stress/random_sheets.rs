@@ -36,8 +36,8 @@ const LONG: Tier = Tier {
 /// The most energy that a sheet may gain, in the second half of its time, over m·g·size.
 const ENERGY: f64 = 1e-3;
 
-/// The most additional strain at the end, compared with steps a sixteenth as long: of a sheet, and of one with a single pin, which falls into other folds then, and whose links
-/// around the pin carry all of it.
+/// The most strain at the end beyond that in steps a sixteenth as long. A sheet with a single pin has a larger bound: it falls into other folds then, and the links around its pin
+/// carry all of it.
 const STRAIN: f64 = 0.02;
 const STRAIN_AT_ONE_PIN: f64 = 0.15;
 
