@@ -131,7 +131,7 @@ fn hands_drag_and_do_not_tear_in_q13() {
     in_all::<Q13>();
 }
 
-/// The hand's spring is part of the equation that all solvers approximate, so they converge to the same position.
+/// The hand's spring is part of the equation that all solvers approximate: they converge.
 #[test]
 fn solvers_agree_on_a_sheet_that_is_dragged() {
     fn end<V: Solver<f64>>(solver: V, substeps: u32) -> [f64; 3] {

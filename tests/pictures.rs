@@ -164,7 +164,7 @@ impl DrawTarget for Paper {
     }
 }
 
-/// A solid of one's own: a mark at the camera's target, drawn over the sheet, without a shadow.
+/// A solid of one's own: a mark at the camera's target, over the sheet, without a shadow.
 struct Mark;
 
 impl<S: Scalar> Solids<S> for Mark {

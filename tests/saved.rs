@@ -17,7 +17,7 @@ const H: usize = 5;
 type Springs<S> = (Damped<Stretch<S>, S>, Shear<S>, Bend<S>);
 type State<S, V> = (Cloth<S, W, H>, <V as Solver<S>>::Memory<Springs<S>, W, H>);
 
-/// Plays 50 frames. After 25 the state is saved and restored in two formats, and the copies must go on with the same bits.
+/// 50 frames. After 25 the state is saved and restored in two formats; the copies must keep the same bits.
 fn goes_on<S, V>(name: &str, solver: V, substeps: u32, stiffness: f64)
 where
     S: Scalar + Serialize + DeserializeOwned,

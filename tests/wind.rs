@@ -44,13 +44,13 @@ fn directions() -> impl Iterator<Item = [f64; 3]> {
     })
 }
 
-/// The largest difference between the forces of both models on a rigid plate, over the force on a plate across the flow. Plates have all directions, and move in calm air or are at
-/// rest in moving air.
+/// The largest difference between both models' forces on a rigid plate, over the force on a plate across the flow: in all directions, of a plate moving in calm air and one at rest
+/// in moving air.
 fn plate<S: Scalar>(size: [f64; 2], speed: f64) -> f64 {
     const SIDE: usize = 6;
     let units = Units::sheet([SIDE; 2], size, 0.02, 0.02, 8);
     let plate = |direction: [f64; 3], air: [f64; 3]| {
-        // perpendicular to `direction`, near an axis that is not parallel to it
+        // perpendicular to `direction`
         let mut side = if direction[0].abs() < 0.9 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
         let along: f64 = (0..3).map(|k| side[k] * direction[k]).sum();
         side = std::array::from_fn(|k| side[k] - along * direction[k]);

@@ -6,8 +6,8 @@ use rig::reference::State;
 use rig::scenes::corners;
 use rig::{Method, Pace, error, moved};
 
-/// Every solver, its substeps in a frame of 0.1 s, and its largest distance in `f32`, `Q24` and `Q13` from itself in `f64`, sheet sizes. Substeps are long, within each
-/// solver's stability: the longer they are, the weaker a force must be for fixed point to round it to nothing.
+/// Every solver, its substeps of 0.1 s, and its largest distance in `f32`, `Q24` and `Q13` from itself in `f64`, sheet sizes. Substeps are as long as stability allows:
+/// the longer they are, the weaker are the forces that fixed point rounds to nothing.
 const FLOORS: [(Method, u32, [f64; 3]); 7] = [
     (Method::ForwardEuler, 512, [2e-5, 6e-3, 6e-3]),
     (Method::BackwardEuler, 16, [1e-5, 1e-5, 2e-3]),

@@ -54,7 +54,7 @@ struct Motion {
 }
 
 impl Sheet {
-    /// The reference solution: leapfrog in `f64`, extrapolated from two step sizes (Richardson).
+    /// The reference solution: leapfrog in `f64`, extrapolated from two steps.
     pub(crate) fn reference(&self) -> Frames {
         let [fine, coarse] = [FINE, FINE / 2].map(|substeps| self.moved::<f64, _>(Leapfrog, substeps).frames);
         let limit: Frames = fine.iter().zip(&coarse).map(|(fine, coarse)| extrapolate(fine, coarse)).collect();

@@ -107,7 +107,7 @@ fn no_particle_is_further_from_a_pin_than_its_tether() {
     for _ in 0..50 {
         rig.step();
         for node in Grid::<f64, 16, 16>::nodes() {
-            // anchors are applied in order: only the last one's distance is exact, the first one's may be exceeded a little
+            // anchors act in order: particles may end a little too far from the first
             let anchor = anchors[1];
             let d = (rig.cloth.position.at(node) - rig.cloth.position.at(anchor)).length();
             let rest = ((node.column.abs_diff(15).pow(2) + node.row.pow(2)) as f64).sqrt();
@@ -128,7 +128,7 @@ fn a_tether_to_a_pin_that_was_let_go_holds_nothing() {
     assert!(apart > 30.0, "{apart} cells");
 }
 
-/// Each link family has its part of the solver's memory, in any order in which a scene names the families.
+/// Each link family has its part of the solver's memory, in any order of the families.
 #[test]
 fn the_order_of_families_does_not_matter() {
     let units = Units::sheet([8, 8], [0.7, 0.7], 1e-3, 1.0 / 60.0, 2);
@@ -151,7 +151,7 @@ fn the_order_of_families_does_not_matter() {
     let strain = measure::strain(&other, &stretch).largest;
     assert!(strain < 0.01, "{strain}");
     for (a, b) in usual.position.values().zip(other.position.values()) {
-        // sweeps relax the other families in the order of the scene, so the results differ a little
+        // families are relaxed in the scene's order, so results differ a little
         assert!((a - b).length() < 0.05, "{a:?} and {b:?}");
     }
 }

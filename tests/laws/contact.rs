@@ -15,7 +15,7 @@ fn free(gravity: [f64; 3]) -> Model {
     Model { families: springs(200.0, 10.0, 1.0), gravity, drag: 0.2, ..Model::new(sheet) }
 }
 
-/// Lets a sheet fall on a collider and asserts after every frame that no particle is nearer to it than `reach`.
+/// Lets a sheet fall on a collider and asserts after every frame that no particle is nearer than `reach`.
 fn assert_kept<S: Scalar, V: Solver<S>, C: Collider<S>>(
     solver: V,
     collider: impl FnOnce(&Units) -> C,
@@ -94,7 +94,7 @@ fn slid<S: Scalar, V: Solver<S>>(solver: V, substeps: u32, slope: f64, friction:
     rig.state().position[0][0] + 0.5
 }
 
-/// Asserts that a sheet slides as Coulomb's law says, within the relative `error`, and that one that sticks moves by less than `creep` (m).
+/// Asserts that sheets slide within `error` of Coulomb's law, or stick within `creep` (m).
 fn assert_slides<S: Scalar, V: Solver<S> + Copy>(solver: V, substeps: u32, error: f64, creep: f64) {
     for (slope, friction) in [(0.3_f64, 0.1), (0.6, 0.5), (0.5, 0.0)] {
         let acceleration = 9.81 * (slope.sin() - friction * slope.cos());
@@ -133,7 +133,7 @@ fn a_coefficient_of_friction_of_a_hundred_holds() {
     }
 }
 
-/// How high a sheet rebounds after a fall of half a metre on the ground, m. Several heights of the ground vary the moment of impact within a substep.
+/// How high a sheet rebounds after a fall of half a metre, m. The ground's height varies, and with it the moment of impact within a substep.
 fn thrown_back<S: Scalar, V: Solver<S> + Copy>(solver: V, substeps: u32) -> f64 {
     let mut highest = 0.0_f64;
     for step in 0..12 {

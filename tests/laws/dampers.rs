@@ -19,7 +19,7 @@ fn left<S: Scalar, V: Solver<S>>(solver: V, kappa: f64) -> f64 {
     (cloth.velocity.at(Node::new(0, 0)) - cloth.velocity.at(Node::new(0, 1))).to_f64()[0] / 0.5
 }
 
-/// An implicit damper leaves 1/(1 + 2·κ) of the relative velocity.
+/// Implicit dampers leave 1/(1 + 2·κ).
 #[test]
 fn a_damper_takes_what_it_must() {
     fn check<S: Scalar>(error: f64) {

@@ -46,7 +46,7 @@ fn a_free_sheet_falls_as_galileo_says() {
         for method in ALL {
             let mut motion = moved::<S, 8, 8>(&model, Pace::new(frame, substeps), method);
             motion.run(frames);
-            // Euler's methods move by the velocity at the start or at the end of a step: the offset is ±h·t·a/2
+            // Euler's methods move by the velocity at the start or the end of a step
             let late = match method {
                 Method::ForwardEuler => -0.5,
                 Method::Leapfrog | Method::Lines(_) => 0.0,
@@ -72,7 +72,7 @@ fn finer_steps_fall_no_less_far() {
         let (frame, frames) = (1.0 / 60.0, 36);
         let t = frame * f64::from(frames);
         for substeps in [8, 32, 128, 512] {
-            // in the shortest substeps the strength of such soft springs would round to nothing in fixed point
+            // in the shortest substeps such soft springs would round to nothing in fixed point
             let stiffer = (f64::from(substeps) / 128.0).powi(2).max(1.0);
             let families = springs(50.0 * stiffer, 10.0 * stiffer, stiffer);
             let model = Model { families, ..free(GRAVITY) };

@@ -58,7 +58,7 @@ fn a_force_of_ones_own_has_its_period() {
     particles_return_after_a_period::<Q24>(1e-5);
 }
 
-/// Each of these wraps one of the crate's forces, forwards the one method with which it acts, and leaves all other methods at their defaults.
+/// The crate's own forces, wrapped: each of these forwards the one method with which it acts, and leaves the others at their defaults.
 struct Weight(Gravity<f64>);
 struct Brake(Drag<f64>);
 struct Cells(FacetWind<f64>);
@@ -93,7 +93,7 @@ fn end<V: Solver<f64>>(forces: impl Force<f64>, solver: V) -> u32 {
     measure::digest(&cloth)
 }
 
-/// Every solver applies every method that a force implements, even if the force leaves the methods that describe it at their defaults.
+/// Every solver applies every method that a force implements, even if the force does not describe itself.
 #[test]
 fn a_force_that_says_nothing_of_itself_acts() {
     fn check<V: Solver<f64> + Copy>(solver: V) {

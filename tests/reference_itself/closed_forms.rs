@@ -158,7 +158,7 @@ fn a_free_chain_vibrates_lengthwise() {
         let times = [0.3, 1.1];
         let solution = model.ode().solve(&start, &times, 1e-10);
         for (time, state) in times.into_iter().zip(&solution.states) {
-            // Dampers act on relative velocities as springs do on relative displacements, so a mode's damping rate is damping/stiffness·ω².
+            // Dampers act on relative velocities as springs do on displacements: a mode's damping rate is damping/stiffness·ω².
             let [q, rate] = damped_oscillation(omega_squared, damping / stiffness * omega_squared, time);
             for i in 0..n {
                 assert_near(state.position[i][1], rest * i as f64 + displacement(i, q), 1e-10);

@@ -21,7 +21,7 @@ fn density_spreads_the_mass_of_the_area() {
     let sheet = Sheet::new(Pose::Lay, [4, 3], [3.0, 4.0]).with_density(0.5);
     assert_near([sheet.masses.iter().sum(), 0.0, 0.0], [6.0, 0.0, 0.0], 1e-14);
     let share = |column, row| sheet.masses[sheet.index((column, row))];
-    // A cell of 2 m² weighs 1 kg. A particle has a quarter of each cell around it: of one at a corner, two on an edge, four inside.
+    // A cell of 2 m² weighs 1 kg. A particle has a quarter of each cell around it.
     assert_eq!([share(0, 0), share(1, 0), share(3, 1), share(1, 1)], [0.25, 0.5, 0.5, 1.0]);
     let hemmed = sheet.clone().with_hem(2.0);
     assert_eq!(hemmed.masses, [[0.5, 1.0, 1.0, 0.5], [1.0, 1.0, 1.0, 1.0], [0.5, 1.0, 1.0, 0.5]].concat());

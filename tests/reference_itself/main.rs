@@ -25,7 +25,7 @@ fn everything() -> Model {
     }
 }
 
-/// The same sheet without pins, gravity, drag, wind and damping: energy and momentum are conserved.
+/// The same sheet without pins, gravity, drag, wind and damping.
 fn isolated() -> Model {
     let mut model = Model { gravity: [0.0; 3], drag: 0.0, wind: None, ..everything() };
     model.sheet.pins.clear();

@@ -50,7 +50,7 @@ trait Trial {
         V::Memory<Springs<S>, SIDE, SIDE>: Clone;
 }
 
-/// Runs a trial with every solver in every number type. Forward Euler is left out: it is not stable where drag alone damps springs.
+/// A trial of every solver in every number type, without forward Euler, which is unstable where drag alone damps springs.
 fn every_solver(trial: &impl Trial) {
     fn every<S: Scalar>(trial: &impl Trial) {
         trial.with::<S, _>("lines", Lines::default());

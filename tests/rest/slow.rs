@@ -38,12 +38,11 @@ fn creeping_goes_on<S: Scalar>(slowest: f64) {
             assert!((sunk / expected - 1.0).abs() < 0.03, "{sunk} m instead of {expected} in {}", S::NAME);
         }
     }
-    // a steady motion slower than a tenth of the threshold is at rest, by definition
+    // slower than a tenth of the threshold is at rest, by definition
     assert!(fallen::<S>((gravity(3e-3), Drag::new(UNITS.drag(100.0)))) < 1e-3);
 }
 
-/// Two slow falls. Drag limits the first to slightly more than the speed threshold. The second has slightly more than the threshold of acceleration, which is a
-/// ten-thousandth of gravity and reaches the speed threshold in a second.
+/// A fall that drag limits to little more than the speed threshold, and one with little more than the threshold of acceleration, a ten-thousandth of gravity.
 fn slow_falls_go_on<S: Scalar>() {
     let sunk = fallen::<S>((gravity(9.81), Drag::new(UNITS.drag(9.81 / (1.2 * STILL.speed)))));
     assert!((sunk / (60.0 * 1.2 * STILL.speed) - 1.0).abs() < 0.02, "{sunk} m in {}", S::NAME);
@@ -122,7 +121,7 @@ fn creeping() {
     creeping_goes_on::<f32>(0.15);
     creeping_goes_on::<f64>(0.15);
     creeping_goes_on::<Q24>(0.15);
-    // the distance threshold of q13 is at least a thousandth of a cell in half a second
+    // q13's distance threshold: a thousandth of a cell in half a second
     creeping_goes_on::<Q13>(0.3);
 }
 

@@ -13,7 +13,7 @@ use crate::{DOWN, UNITS, curtain, resting};
 
 type Buffer = Framebuffer<Rgb565, RawU16, LittleEndian, 64, 64, { buffer_size::<Rgb565>(64, 64) }>;
 
-/// A display that counts the pixels and transfers that it receives.
+/// A display that counts received pixels and transfers.
 #[derive(Default)]
 struct Counting {
     pixels: u64,

@@ -37,7 +37,7 @@ fn scenes() -> impl Iterator<Item = Damped> {
     })
 }
 
-/// The frame in which a pushed sheet comes to rest; `None` if it does not within a minute.
+/// The frame in which a pushed sheet comes to rest, if it does within a minute.
 fn frames<S: Scalar, V: Solver<S>>(scene: Damped, solver: V) -> Option<u32> {
     let Damped { size, strain, substeps, drag, pins } = scene;
     let mass = 0.2 * size * size / (SIDE * SIDE) as f64;

@@ -78,7 +78,7 @@ fn meaning(scene: &Scene<'_>) -> Result<String, String> {
     scene.parse().map(|scene| format!("{scene:?}")).map_err(|error| error.to_string())
 }
 
-/// Checks that the first difference between both scenes is that between an absent and a present value.
+/// Checks that the scenes first differ by an absent and a present value.
 pub(crate) fn off(without: &Scene<'_>, with: &Scene<'_>, path: &str) -> Vec<String> {
     let (without, with) = match (meaning(without), meaning(with)) {
         (Ok(without), Ok(with)) => (without, with),
@@ -107,7 +107,7 @@ fn said(scene: &Scene<'_>, row: &Row, value: &str) -> Vec<String> {
     complaints
 }
 
-/// The digest of a sheet that has fallen and crumpled on the ground, in a scene with this further table.
+/// The digest of a sheet that has crumpled on the ground, with this further table.
 fn end(table: &str) -> u32 {
     let text = format!(
         "[cloth]\ncolumns = 8\nrows = 8\nwidth = 0.7\nheight = 0.7\nmass = 0.01\npose = \"hang\"\norigin = [0, 0, 0.75]\n\

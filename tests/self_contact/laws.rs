@@ -54,7 +54,7 @@ fn where_nothing_meets_no_bit_changes() {
     law::<Q24, _>(Leapfrog, 64);
 }
 
-/// Throws two layers of particles without links at each other, and calls `look` at the start and after every frame.
+/// Throws two layers of particles without links at each other; `look` sees the start and every frame.
 fn thrown<S: Scalar, V: Solver<S>>(solver: V, friction: f64, mut look: impl FnMut(&Sheet<S, 8, 11>, &Cloth<S, 8, 11>)) {
     let sheet = sheet::<S, 8, 11>(8);
     let mut cloth = sheet.lay([0.0; 3]);
@@ -107,7 +107,7 @@ fn layers_thrown_at_each_other_gain_no_energy() {
         let (mut first, mut last) = (None, 0.0);
         thrown(solver, friction, |sheet, cloth: &Cloth<S, 8, 11>| {
             let energy = measure::kinetic_energy(cloth, &sheet.units);
-            // the line solver's velocity history stores a little energy: up to 3 % may come back in a frame
+            // the line solver's velocity history may return a little energy
             assert!(energy <= before * 1.03, "{energy} J after {before} J in {}", S::NAME);
             assert!(energy <= *first.get_or_insert(energy), "{energy} J in {}", S::NAME);
             (before, last) = (energy, energy);
@@ -123,7 +123,7 @@ fn layers_thrown_at_each_other_gain_no_energy() {
     }
 }
 
-/// No sheet intersects itself: with pins, hems, oblong cells, as a chain, by every solver that is stable for any step.
+/// No sheet intersects itself: with pins, hems, oblong cells, as a chain, by all solvers stable for any step.
 #[test]
 fn every_kind_of_sheet_keeps_apart() {
     fn drop<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(
@@ -237,7 +237,7 @@ fn a_heap_gains_no_energy() {
         for frame in 0..200 {
             stage.step();
             let energy = stage.energy();
-            // the tolerance is 0.01 J; 0.2 kg that fall by a metre set 2 J free
+            // 0.2 kg that fall by a metre set 2 J free
             assert!(energy < least + 0.01, "{energy} J after {least} J in frame {frame}, in {}", S::NAME);
             least = least.min(energy);
         }

@@ -123,7 +123,7 @@ const PAGE: &str = "docs/self-contact.md";
 /// The lines around the table in [`PAGE`].
 const MARKS: [&str; 2] = ["<!-- intersections -->\n", "<!-- end of intersections -->\n"];
 
-/// Without contacts sheets do pass through themselves, and the counter finds it.
+/// Without contacts sheets pass through themselves, and are counted.
 #[test]
 fn without_contacts_they_do() {
     for case in [Case::Heap, Case::Twist] {

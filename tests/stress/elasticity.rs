@@ -83,8 +83,8 @@ struct Goal {
     scene: Thesis,
     /// The strain of the springs in the exact solution: by leapfrog with 2048 substeps, which the long version (`KERCHIEF_LONG=1`) measures.
     springs: f64,
-    /// Substeps, tolerance and strain limit with which the line solver adds at most a strain of 0.1, and the bound on their cost, in frames of the thesis'
-    /// method with its 15 sweeps.
+    /// Substeps, tolerance and strain limit with which the line solver adds a strain of at most 0.1, and their cost in frames of the thesis' method
+    /// with its 15 sweeps.
     substeps: u32,
     tolerance: f64,
     limit: Option<f64>,

@@ -12,7 +12,7 @@ const SIZE: f64 = CLOTH.size;
 /// Frames of a run.
 const FRAMES: u32 = 30;
 
-/// The largest coordinate of a sheet that hangs from its upper edge, at the end of any frame, m.
+/// The largest coordinate of a sheet pinned at its upper edge, m.
 fn reach<S: Scalar, V: Solver<S>, const N: usize>(solver: V, speed: f64, step: f64) -> f64 {
     // 0.1 kg/m²
     let mass = 0.1 / ((N - 1) * (N - 1)) as f64;

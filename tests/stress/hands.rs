@@ -168,7 +168,7 @@ fn corners_are_pulled_apart() {
     all("corners pulled apart", &Torn);
 }
 
-/// In any step, wind accelerates a free sheet to at most 1.2 times the wind's velocity along an axis, and to more than half of it in the end.
+/// In any step, wind accelerates a free sheet to at most 1.2 times its own velocity, and to more than half of it in the end.
 fn no_faster_than_the_wind<S: Scalar, V: Solver<S> + Copy>(name: &str, solver: V) {
     for (frame, substeps) in [(1e-3, 1), (1.0 / 60.0, 8), (1.0 / 60.0, 1), (0.2, 8)] {
         let sheet = Sheet { frame, substeps, drag: 0.0, stretch: 100.0, shear: 10.0, bend: 1.0, ..CLOTH };
@@ -178,7 +178,7 @@ fn no_faster_than_the_wind<S: Scalar, V: Solver<S> + Copy>(name: &str, solver: V
         stage.gravity([0.0; 3]);
         stage.scene.forces.3 = Some(AerodynamicWind::new(wind));
         let mut fastest = 0.0_f64;
-        // so that the sheet stays within the range of q24, 18 m
+        // the range of q24 is 18 m
         for _ in 0..(0.35 / frame).ceil() as u32 {
             stage.step();
             fastest = fastest.max(stage.speed());

@@ -1,5 +1,5 @@
-//! A strain limit between heavy particles far apart. The correction divided by their inverse masses once exceeded the range of fixed point: it saturated, pushed the particles
-//! sideways and sent an overstretched chain flying.
+//! A strain limit between heavy particles far apart. The correction divided by their inverse masses once saturated in fixed point, which moved them sideways and sent an
+//! overstretched chain flying.
 
 use kerchief::{Cloth, Node, Q13, Q24, Scalar, Scene, StrainLimited, Stretch, Units, Vec3, Verlet};
 
@@ -18,7 +18,7 @@ fn shortened<S: Scalar>(inverse_masses: [f64; 2], end: [f64; 3]) -> [[f64; 3]; 2
     [0, 1].map(|column| cloth.position.at(Node::new(column, 0)).to_f64())
 }
 
-/// A link is shortened along itself to the allowed length, twice its rest length, less 1/1024 of it. Both ends move in proportion to their inverse masses.
+/// A link is shortened along itself to twice its rest length, less 1/1024. Its ends move in proportion to their inverse masses.
 #[test]
 fn limits_shorten_links_of_any_masses_along_themselves() {
     fn check<S: Scalar>(bound: f64) {

@@ -3,7 +3,7 @@
 
 use kerchief::{Cloth, Node, Q13, Q24, Scalar, Scene, Solver, Stretch, Units, Verlet, Xpbd, measure};
 
-/// The strain that a substep leaves of a rigid link with this `strain`, between two particles of the mass `heavy`.
+/// The strain that a substep leaves of a rigid link with `strain`, between particles of mass `heavy`.
 fn straightened<S: Scalar, V: Solver<S>>(heavy: f64, strain: f64, solver: V) -> f64 {
     let units = Units::sheet([2, 1], [1.0, 0.0], 1.0, 0.1, 1);
     let mut cloth = Cloth::<S, 2, 1>::lay(&units, units.point([0.0; 3]));

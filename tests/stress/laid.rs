@@ -18,7 +18,7 @@ struct Outcome {
     energy: f64,
     /// How far the lowest particle is below the start, m.
     depth: f64,
-    /// The residual of the sweeps: the largest of any frame, and the last.
+    /// The largest and the last residual of the sweeps.
     residuals: [f64; 2],
 }
 
@@ -111,7 +111,7 @@ fn what_hangs_from_its_centre_gains_nothing() {
 fn what_sweeps_leave_can_be_asked() {
     let residuals = |solver, seconds| run::<f32, 32>(&Sheet { seconds, ..FIRM }, solver).residuals;
     let [most, end] = residuals(Lines::new(), 4.0);
-    // substeps with larger residuals than twice the tolerance are split, which brings the residual down
+    // splitting of substeps brings the residual down
     assert!((0.02..0.5).contains(&most) && end < 0.04, "{most} {end}");
     let [most, _] = residuals(Lines { most_sweeps: 2, ..Lines::new() }, 1.0);
     assert!(most > 0.1, "{most}");
@@ -119,7 +119,7 @@ fn what_sweeps_leave_can_be_asked() {
 
 #[test]
 fn soft_sheets_stay_soft() {
-    // substeps that don't converge are split; the springs are not stiffened
+    // substeps are split, springs are not stiffened
     let soft = |substeps| run::<f32, 32>(&Sheet { springs: [100.0, 10.0, 1.0], substeps, ..FIRM }, Lines::new());
     let [coarse, fine] = [1, 16].map(soft);
     assert!(fine.motion > 0.3, "{fine:?}");

@@ -1,5 +1,5 @@
-//! Nearly rigid rows of light particles between two pins. Such a row has a pivot that consists of the compliance of its links alone, and the rounding errors of large
-//! inverse masses in `f32` once exceeded it: the sheet was undefined after its first frame. Dampers as strong had the same effect.
+//! Nearly rigid rows of light particles between two pins. One pivot of such a row is the compliance of its links alone. Rounding errors of large inverse masses in `f32`
+//! once exceeded it: the sheet was undefined after its first frame. Dampers as strong did the same.
 
 use kerchief::measure::{is_finite, strain};
 use kerchief::{Cloth, Damped, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Stretch, Units};

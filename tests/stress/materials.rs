@@ -77,7 +77,7 @@ fn a_particle_a_thousand_times_as_heavy() {
         for frame in STEPS {
             let what = format!("mass ratio 1000, {stretch:e} N/m, frames of {frame:.3} s");
             let kicked = Kicked { heavy: 1000.0, ..Kicked::new(stretch, frame) };
-            // residuals within the tolerance may move that particle's neighbours by tolerance/7 sheet sizes in a substep: a cell is a seventh of the size
+            // residuals within the tolerance may move that particle's neighbours by tolerance/7 sheet sizes (a cell is 1/7) in a substep
             let still = if frame < 0.01 { Lines::new().tolerance / 7.0 / frame } else { kicked.still };
             let kicked = Kicked { still: still.max(0.03), ..kicked };
             default_in::<f32, 8, 8>(&mut complaints, &what, &kicked);

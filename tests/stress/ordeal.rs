@@ -14,14 +14,14 @@ pub(crate) trait Ordeal {
     fn frames(&self) -> u32;
     /// Called before the first frame.
     fn begin<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(&self, _stage: &mut Stage<S, V, W, H>) {}
-    /// Called before each frame of the disturbance.
+    /// Called before each frame.
     fn disturb<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(
         &self,
         _stage: &mut Stage<S, V, W, H>,
         _frame: u32,
     ) {
     }
-    /// Called after the last frame of the disturbance.
+    /// Called after the last frame.
     fn end<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(&self, _stage: &mut Stage<S, V, W, H>) {}
     /// The largest coordinate that is allowed in any frame, sheet sizes from the origin.
     fn bounds(&self) -> f64 {
@@ -102,7 +102,7 @@ impl Complaints {
     }
 }
 
-/// The line solver in a number type. In the long version it runs twice and must give the same bits.
+/// The line solver in a number type; in the long version twice, to the same bits.
 pub(crate) fn default_in<S: Scalar, const W: usize, const H: usize>(
     complaints: &mut Complaints,
     what: &str,
@@ -144,7 +144,7 @@ pub(crate) fn other_solvers<const W: usize, const H: usize>(
     each::<Q13, W, H>(complaints, what, ordeal);
 }
 
-/// All solvers in every number type, and the line solver on a larger grid.
+/// All solvers, and the line solver on a larger grid.
 pub(crate) fn all(what: &str, ordeal: &impl Ordeal) {
     let mut complaints = Complaints::default();
     default_solver::<8, 8>(&mut complaints, what, ordeal);

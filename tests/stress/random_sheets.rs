@@ -45,7 +45,7 @@ fn tier() -> Tier {
     if is_long() { LONG } else { SHORT }
 }
 
-/// Shows `look` every run of the tier, together with the run of the same sheet in steps a sixteenth as long. That one is in `f32` for all number types.
+/// Shows every run of the tier, with the run of the same sheet in steps a sixteenth as long, in `f32` for all number types.
 fn each(tier: &Tier, mut look: impl FnMut(&Sheet, &str, &Found, &Found)) {
     for number in tier.sheets.clone() {
         let sheet = Sheet::by_lot(number, tier.sides);

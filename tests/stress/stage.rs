@@ -90,7 +90,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
         core::array::from_fn(|_| largest * self.random())
     }
 
-    /// Puts every free particle at the position that `place` gives, m.
+    /// Puts every free particle where `place` says, m.
     pub(crate) fn place(&mut self, mut place: impl FnMut(&mut Self, Node) -> [f64; 3]) {
         for node in Grid::<S, W, H>::nodes() {
             if !self.cloth.is_pinned(node) {
@@ -100,7 +100,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
         }
     }
 
-    /// Gives every free particle a random velocity with components of up to `largest`, m/s.
+    /// Gives every free particle a random velocity, m/s.
     pub(crate) fn kick(&mut self, largest: f64) {
         for node in Grid::<S, W, H>::nodes() {
             if !self.cloth.is_pinned(node) {

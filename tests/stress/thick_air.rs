@@ -6,7 +6,7 @@ use kerchief::{AerodynamicWind, Cloth, Force, PanelWind, Q13, Q24, Scalar, Scene
 const SIDE: usize = 4;
 const UNITS: Units = Units::sheet([SIDE; 2], [3.0; 2], 1.0, 0.1, 4);
 
-/// The part of a speed of `speed` cells a tick that a frame in thick air leaves: with aerodynamic wind and with wind on panels.
+/// The part of `speed` (cells a tick) that a frame in thick air leaves, by the aerodynamic and the panel model.
 fn left<S: Scalar>(density: f64, speed: f64) -> [f64; 2] {
     let air = AerodynamicWind::<S>::new(UNITS.aerodynamic_wind([0.0; 3], density, 1.0));
     let panels = PanelWind::<S>::new(UNITS.panel_wind([0.0; 3], density, 1.0));

@@ -5,8 +5,8 @@ use kerchief::{Cloth, Lines, Node, Q13, Q24, Scalar, Scene, Stretch, Units, Vec3
 
 const PARTICLES: usize = 4;
 
-/// Lets go of a chain that is pinned at its first particle, with particles of this mass and links stretched to so many cells. Returns the largest distance of a particle from the
-/// origin, cells, and the strain after a second.
+/// A chain, pinned at its first particle, is let go with particles of this mass and links of so many cells. Returns a particle's largest distance from the origin, cells, and the
+/// strain after a second.
 fn let_go<S: Scalar>(mass: f64, cells: f64, bend: f64, down: bool) -> [f64; 2] {
     if down { released::<S, 1, PARTICLES>(mass, cells, bend) } else { released::<S, PARTICLES, 1>(mass, cells, bend) }
 }

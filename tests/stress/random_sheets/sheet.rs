@@ -67,7 +67,7 @@ impl Lot {
         low + (high - low) * self.part()
     }
 
-    /// Between `low` and `high`, with a uniform logarithm.
+    /// Uniform in the logarithm.
     fn power(&mut self, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.part())
     }
@@ -95,7 +95,7 @@ impl Sheet {
         }
     }
 
-    /// Whether the number type can represent the speed after a fall by twice the sheet's size, more than its diagonal, and whether the grid is compiled for it.
+    /// Whether the number type represents the speed after a fall by more than the sheet's diagonal, and the grid is compiled for it.
     pub(super) fn fits(&self, kind: Kind) -> bool {
         let cell = self.size / (self.side - 1) as f64;
         let fast = (2.0 * 9.81 * 2.0 * self.size).sqrt() * 2.0 * self.frame / cell;
