@@ -1,20 +1,20 @@
-//! Impossible scenes don't compile, and the compiler says why.
+//! Impossible scenes don't compile, and the compiler's message gives the reason.
 //!
-//! Each file in `compile_fail` begins with the reason, which the compiler's message has to hold. The rest of the message is the compiler's
+//! Each file in `compile_fail` begins with a reason that the message must contain. The rest of the message is the compiler's
 //! own and changes from release to release.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// The crate as the library that this test is linked with: nothing is built anew.
+/// The path of the library that this test is linked with, so that nothing is built anew.
 fn library() -> PathBuf {
     let cargo = Command::new(env!("CARGO"))
         .args(["test", "--no-run", "--quiet", "--locked", "--test", "compile_fail", "--message-format", "json"])
-        // of what `tests/run` builds together, or of this package
+        // the packages that `tests/run` builds together, or this one
         .args(std::env::var("KERCHIEF_TESTED").as_deref().unwrap_or("-p kerchief").split(' '))
         .args((!cfg!(debug_assertions)).then_some("--release"))
         .current_dir(env!("CARGO_MANIFEST_DIR"))
-        // a run that times tests sets it, and what it changes would be built anew
+        // `tests/run` sets it to time tests; with it, crates would be built anew
         .env_remove("RUSTC_BOOTSTRAP")
         .output()
         .expect("cargo runs");
@@ -29,7 +29,7 @@ fn library() -> PathBuf {
         .expect("cargo names the library")
 }
 
-/// Compiles a program down to its object file: sizes are checked only where a function gets its types.
+/// Compiles a program to an object file: sizes are checked only when generic functions are instantiated.
 fn compile(program: &Path, library: &Path, directory: &Path) -> Output {
     let test = std::env::current_exe().expect("this test is a file");
     let dependencies = test.parent().expect("it lies among the libraries");
@@ -56,7 +56,7 @@ fn impossible_scenes_do_not_compile() {
         let reason = source.lines().next().and_then(|line| line.strip_prefix("//! "));
         let output = compile(&program, &library, directory.path());
         let message = String::from_utf8_lossy(&output.stderr);
-        // the program without a reason is what the others spoil
+        // the program without a reason is the valid one, which the others spoil
         let expected = match reason {
             None => output.status.success(),
             Some(reason) => !output.status.success() && message.contains(reason),

@@ -1,4 +1,4 @@
-//! What makes no sense is refused where a scene is put together, in a sentence; what is not refused can be stepped.
+//! Constructors refuse senseless values of a scene in one sentence. A scene that they accept can be stepped.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, Location, catch_unwind, set_hook, take_hook};
@@ -21,7 +21,7 @@ use proptest::test_runner::RngSeed;
 
 const UNITS: Units = Units::sheet([4, 4], [0.3, 0.3], 1e-3, 1.0 / 60.0, 4);
 
-/// Beginnings of the sentences in which constructors refuse.
+/// The beginnings of the sentences in which constructors refuse values.
 const SENTENCES: [&str; 42] = [
     "a direction's angles are finite",
     "a place that is looked at is finite",
@@ -71,7 +71,7 @@ fn sentence(panic: &(dyn Any + Send)) -> &str {
     panic.downcast_ref::<&str>().copied().or(panic.downcast_ref::<String>().map(String::as_str)).unwrap_or("nothing")
 }
 
-/// Asserts that `make` is refused in this sentence, at the line that called it.
+/// Asserts that `make` panics with this sentence, at a line of this file.
 #[track_caller]
 fn refused<T>(what: &str, expected: &str, make: impl FnOnce() -> T) {
     static ONE_HOOK: Mutex<()> = Mutex::new(());
@@ -114,7 +114,7 @@ fn sizes_masses_and_times_are_positive_and_finite() {
         });
     }
     refused("size", "a sheet needs a finite size", || Units::sheet([4, 4], [f64::INFINITY, 0.3], 1e-3, 0.02, 4));
-    // what has no second particle has no length
+    // a side without a second particle has no length
     let chain = Units::sheet([1, 4], [f64::NAN, 0.3], 1e-3, 0.02, 4);
     assert_eq!((chain.cell, chain.sides), (0.3 / 3.0, [0.0, 1.0]));
 }
@@ -134,7 +134,7 @@ fn substeps_are_counted() {
     assert_eq!(of(1 << 24).shift(), 24);
 }
 
-/// An acceleration that comes from no unit.
+/// An acceleration that does not come from [`Units`].
 fn weight(cells_per_tick: [f64; 3]) -> Acceleration {
     let mut weight = UNITS.acceleration([0.0; 3]);
     weight.0 = cells_per_tick;
@@ -282,7 +282,7 @@ fn solvers_do_something() {
     refused("slack", "a slack is finite", || Tether::<f32, 1>::new(&UNITS, &[], -0.1));
 }
 
-/// A fall of a second from rest, m.
+/// The height after a fall of a second from rest, m.
 fn fall<S: Scalar>(units: &Units) -> f64 {
     let mut cloth = Cloth::<S, 4, 4>::lay(units, units.point([0.0; 3]));
     let scene = Scene::new(units, Gravity::new(units.acceleration([0.0, 0.0, -9.81])), (), (), Xpbd);
@@ -291,7 +291,7 @@ fn fall<S: Scalar>(units: &Units) -> f64 {
     cloth.position.at(Node::new(1, 1)).z.to_f64() * units.cell
 }
 
-/// Gravity that fixed point holds with one to three bits: 10 % less at 2048 substeps, 79 % more at 8192.
+/// Gravity that fixed point represents with one to three bits: 10 % too weak at 2048 substeps, 79 % too strong at 8192.
 #[test]
 fn what_rounding_changes_by_more_than_a_sixteenth_is_refused() {
     let units = |substeps| Units::sheet([4, 4], [30.0, 30.0], 1.0, 1.0 / 60.0, substeps);
@@ -302,7 +302,7 @@ fn what_rounding_changes_by_more_than_a_sixteenth_is_refused() {
     }
     for substeps in [1, 8, 64, 256, 300, 512] {
         let fallen = catch_unwind(|| fall::<Q24>(&units(substeps)));
-        // which numbers are near a whole one of last places is luck
+        // it depends on chance whether a number is near a multiple of the last place
         let Ok(fallen) = fallen else { continue };
         assert!(substeps <= 64 || fallen < 0.0);
         assert!((fallen / fall::<f64>(&units(substeps)) - 1.0).abs() < 0.063, "{substeps}: {fallen}");
@@ -317,13 +317,13 @@ fn what_rounding_changes_by_more_than_a_sixteenth_is_refused() {
         PanelWind::<Q24>::new(PanelFlow { area: 0.0, ..UNITS.panel_wind([1.0, 0.0, 0.0], 1.0, 1.0) })
     });
     refused("pressure", too_small, || AerodynamicWind::<Q24>::new(UNITS.aerodynamic_wind([1.0, 0.0, 0.0], 1e-6, 1.0)));
-    // nothing is nothing, and a small component beside a large one does not count
+    // zero stays zero, and the rounding of a small component beside a large one does not count
     let _ = Stretch::<Q24>::new(&UNITS, UNITS.stiffness(0.0));
     let _ = Drag::<Q24>::new(UNITS.drag(0.0));
     let _ = Gravity::<Q24>::new(UNITS.acceleration([1e-6, 0.0, -9.81]));
 }
 
-/// Fixed point's largest number is below 128: a spring's share of a sweep was negative.
+/// Fixed point's largest number is below 128: with more sweeps, a spring's share in one of them was once negative.
 #[test]
 fn verlet_counts_more_sweeps_than_fixed_point_has_numbers() {
     fn lowest<S: Scalar>(sweeps: u32) -> f64 {
@@ -342,7 +342,7 @@ fn verlet_counts_more_sweeps_than_fixed_point_has_numbers() {
     }
 }
 
-/// Numbers that nobody means, and some that somebody does.
+/// Senseless numbers, and some sensible ones.
 fn number() -> impl Strategy<Value = f64> {
     let odd = [
         f64::NAN,
@@ -389,7 +389,7 @@ impl Constants<'_> {
     }
 }
 
-/// Every public constructor of what a step meets, and some frames; whether the sheet stayed finite.
+/// Calls every public constructor of a scene's parts and plays a few frames. Returns whether the sheet stayed finite.
 fn played<S: Scalar>(from: &mut Constants<'_>, kind: usize) -> bool {
     let units = Units::sheet([4, 4], [from.next(), from.next()], from.next(), from.next(), from.count());
     let gravity = Gravity::<S>::new(units.acceleration(from.vector()));
@@ -448,18 +448,18 @@ fn moved<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>, V: Solver<S>>(
     let mut memory = scene.memory::<S, 4, 4>();
     let frames = if units.substeps > 1000 { 0 } else { 3 };
     for _ in 0..frames {
-        // a step that panics is no refusal
+        // a panic in a step is a failure, not a refusal
         catch_unwind(AssertUnwindSafe(|| scene.play(&mut cloth, &mut memory))).expect("a step cannot fail");
     }
     measure::is_finite(&cloth)
 }
 
-/// Tries a scene; whether it was refused.
+/// Tries a scene. Returns whether it was refused.
 fn is_refused<S: Scalar>(numbers: &[f64], counts: &[u32], kind: usize) -> bool {
     let mut from = Constants(numbers.iter(), counts.iter());
     match catch_unwind(AssertUnwindSafe(|| played::<S>(&mut from, kind))) {
         Ok(finite) => {
-            // fixed point has no other numbers, which is why it must not be given any
+            // all numbers in fixed point are finite, so it must not be given others
             assert!(finite || !S::EXACT_SUMS);
             false
         }
@@ -471,7 +471,7 @@ fn is_refused<S: Scalar>(numbers: &[f64], counts: &[u32], kind: usize) -> bool {
     }
 }
 
-/// Numbers of a scene that is accepted, some of them spoilt.
+/// The numbers of an acceptable scene, a few of them spoilt.
 fn constants() -> impl Strategy<Value = (Vec<f64>, Vec<u32>, usize)> {
     let good = prop::collection::vec(0.05..0.9_f64, 90);
     let spoilt = prop::collection::vec((0_usize..90, number()), 0..3);

@@ -1,4 +1,4 @@
-//! How close fixed point comes to f64, and what a sheet at rest does in it.
+//! The distance of fixed point from f64, and the trembling of a sheet at rest.
 
 use kerchief::{
     BackwardEuler, Bend, Cloth, Drag, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Solver, Stretch, Units,
@@ -7,13 +7,13 @@ use kerchief::{
 
 const SIDE: usize = 16;
 
-/// What the number type is tested on: a light sheet of 30 cm that hangs upright.
+/// The sheet on which number types are tested: light, 30 cm, hanging upright.
 #[derive(Clone, Copy, Debug)]
 struct Sheet {
-    /// Where it hangs, m. The nearer a coordinate is to zero, the more digits floats have of it; fixed point has the same everywhere.
+    /// Its position, m. Floats are the more precise the nearer a coordinate is to zero; fixed point is equally precise everywhere.
     origin: [f64; 3],
     pins: &'static [usize],
-    /// Blown at once from the front, cells per tick.
+    /// The initial velocity, from the front, cells per tick.
     speed: f64,
     /// 1/s
     drag: f64,
@@ -21,7 +21,7 @@ struct Sheet {
 }
 
 impl Sheet {
-    /// Runs for `frames` of a sixtieth of a second, then shows every further one, cells, until `seen` has enough.
+    /// Runs for `frames` of 1/60 s, then shows `seen` the positions (cells) after each further frame until it returns true.
     fn run<S: Scalar, V: Solver<S>>(&self, solver: V, frames: u32, mut seen: impl FnMut(&[[f64; 3]]) -> bool) {
         let units = Units::sheet([SIDE, SIDE], [0.3, 0.3], 1e-3, 1.0 / 60.0, self.substeps);
         let mut cloth = Cloth::<S, SIDE, SIDE>::hang(&units, units.point(self.origin));
@@ -57,20 +57,20 @@ impl Sheet {
     }
 }
 
-/// The largest distance of two particles that belong together, sheet sizes.
+/// The largest distance between corresponding particles, sheet sizes.
 fn distance(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     let apart = |(p, q): (&[f64; 3], &[f64; 3])| (0..3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt();
     a.iter().zip(b).map(apart).fold(0.0, f64::max) / (SIDE - 1) as f64
 }
 
-/// A sheet on two corners, blown at once and then left to itself in drag.
+/// A sheet on two corners with an initial velocity, damped by drag.
 const DAMPED: Sheet = Sheet { origin: [0.0; 3], pins: &[0, SIDE - 1], speed: 0.05, drag: 2.0, substeps: 1 };
 
-/// A place in a scene that is no corner of it: 5, 10 and 15 cells from its planes.
+/// A position away from the origin: 5, 10 and 15 cells from the coordinate planes.
 const ELSEWHERE: [f64; 3] = [0.1, 0.2, 0.3];
 
-/// Whether `Q24` and `Q13` come as close to `f64` as they are said to, `f32` within 4e-6 at the origin; and whether `Q24` is as close elsewhere as at the origin,
-/// and no further off than so many times `f32`.
+/// Asserts distances from `f64`: at the origin of `Q24` (`accurate`), `Q13` (`fast`) and `f32` (4e-6). Elsewhere that of `Q24` must be within the same bound, and at most
+/// `against_f32` times that of `f32`.
 fn ten_seconds<V: Solver<f64> + Solver<f32> + Solver<Q24> + Solver<Q13> + Copy>(
     solver: V,
     substeps: u32,
@@ -110,14 +110,14 @@ fn after_ten_seconds_fixed_point_is_where_f64_is() {
     ten_seconds(Lines::with_sweeps(2), 4, [6e-6, 8e-5], 1.2);
 }
 
-/// Steps in which a sheet at rest is looked at.
+/// The substeps over which a sheet at rest is observed.
 const STEPS: u32 = 10_000;
 
-/// What a sheet does in `STEPS` steps that hung for 30 s.
+/// The motion in [`STEPS`] substeps of a sheet that has hung for 30 s.
 struct Rest {
-    /// By how much any particle moves, along each axis, cells.
+    /// The largest displacement of a particle along each axis, cells.
     furthest: [f64; 3],
-    /// By how much the mean place of any particle in the last tenth of the steps is from that in the first, cells.
+    /// The largest displacement of a particle's mean position, along any axis, from the first tenth of the substeps to the last, cells.
     drift: f64,
 }
 
@@ -165,12 +165,12 @@ fn a_sheet_at_rest_trembles_by_a_few_last_places_and_neither_creeps_nor_drifts()
         let drift = drift / place;
         println!("{solver}: {x:.1}, {y:.1}, {z:.1} last places, the mean {drift:.2}");
         assert!(y == 0.0, "{solver} leaves its plane by {y} last places");
-        assert!(x <= most && z <= most, "{solver} wanders by {x} and {z} last places");
+        assert!(x <= most && z <= most, "{solver} moves by {x} and {z} last places");
         assert!(drift <= 0.5, "{solver} drifts by {drift} last places");
     }
 }
 
-/// Where a sheet of a metre of so stiff springs and so heavy a hem is after ten frames by backward Euler, m.
+/// The positions after ten frames by backward Euler of a sheet of a metre with this stiffness (N/m) and hem, m.
 fn stiff<S: Scalar>(stiffness: f64, hem: f64) -> Vec<[f64; 3]> {
     let units = Units::sheet([8, 8], [1.0; 2], 2e-3, 1.0 / 60.0, 1);
     let mut cloth = Cloth::<S, 8, 8>::hang(&units, units.point([-0.5, 0.0, 0.5]));
@@ -189,7 +189,7 @@ fn stiff<S: Scalar>(stiffness: f64, hem: f64) -> Vec<[f64; 3]> {
     cloth.position.values().map(|x| x.to_f64().map(|cells| cells * units.cell)).collect()
 }
 
-/// Inertia beside a stiff spring is a small number, of which rounding left nothing: sheets drifted, and some flew away. A heavy hem's leaves the range soon.
+/// Beside a stiff spring inertia is a small number, which was once rounded to nothing: sheets drifted, and some flew away. The inertia of a heavy hem may exceed the range.
 #[test]
 fn backward_euler_has_digits_of_inertia_and_room_for_it() {
     for (stiffness, hem, most) in [(1e3, 1.0, 3e-5), (1e4, 1.0, 2e-4), (1e5, 1.0, 2e-4), (1.0, 100.0, 1e-4)] {

@@ -1,4 +1,4 @@
-//! What a user's own package is like, outside of the repository: it builds with nothing but a version of the crate, and draws a flag.
+//! A user's own package outside of the repository: it builds with nothing but a version of the crate, and draws a flag.
 
 use std::path::Path;
 use std::process::Command;
@@ -19,11 +19,11 @@ fn a_newcomers_package_builds_and_draws() {
     let source = fs::read_to_string(room.path().join("src/main.rs")).expect("its program");
     assert!(source.lines().count() <= 60, "a program of more than 60 lines");
 
-    // the version that will be published is this one
+    // stands for the version that will be published
     let patch = format!("patch.crates-io.kerchief.path={:?}", root.display().to_string());
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["run", "--release", "--quiet", "--config", &patch]).env_remove("RUSTC_BOOTSTRAP");
-    // only so that the test is quicker
+    // a fixed directory, only to make the test faster
     cargo.arg("--target-dir").arg(Path::new(env!("CARGO_TARGET_TMPDIR")).join("newcomer"));
     let output = cargo.current_dir(room.path()).output().expect("cargo runs");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

@@ -22,7 +22,7 @@ const VIEW: View = View::new(-25.0, 22.0);
 
 type Screen<const W: usize, const H: usize, const N: usize> = Framebuffer<Rgb888, RawU24, BigEndian, W, H, N>;
 
-/// A sheet over a ball: a cap, and a skirt with folds that hangs from it.
+/// A sheet over a ball: a cap with a folded skirt that hangs from it.
 fn draped<S: Scalar>() -> Cloth<S, 16, 16> {
     let mut cloth = Cloth::lay(&UNITS, UNITS.point([-7.5, -7.5, 0.0]));
     for node in Grid::<S, 16, 16>::nodes() {
@@ -41,7 +41,7 @@ fn camera<S: Scalar>(screen: Size) -> Camera<S> {
     Camera::new(&VIEW.fit(UNITS.point([-7.0, -7.0, -RADIUS]), UNITS.point([7.0, 7.0, RADIUS]), screen), screen)
 }
 
-/// Everything that can be in a picture.
+/// Draws a picture with all kinds of contents.
 fn draw<S: Scalar, D: DrawTarget<Color: Shade, Error = Infallible> + Dimensions>(target: &mut D) {
     let gingham = Gingham { width: Width::cells(1), tones: [CREAM, RED] };
     let ball = Ball::<S>::new(UNITS.point([0.0; 3]), UNITS.length(RADIUS), Rgb888::new(70, 110, 140));
@@ -88,7 +88,7 @@ fn a_small_gray_display_shows_the_drape() {
     let mut display = MockDisplay::<Gray4>::new();
     display.set_allow_overdraw(true);
     draw::<Q24, _>(&mut display);
-    // A coarse picture: the mean of each 4 × 4 pixels
+    // A coarse picture: the mean of each block of 4 × 4 pixels
     let rows: Vec<String> = (0..16)
         .map(|row| {
             let mean = |column| {
@@ -121,7 +121,7 @@ fn a_small_gray_display_shows_the_drape() {
     );
 }
 
-/// Paper with three inks, in two bits.
+/// The colours of a paper display with three inks, in two bits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Ink {
     Black,
@@ -143,7 +143,7 @@ impl Shade for Ink {
     }
 }
 
-/// Paper of 24 × 24 pixels.
+/// A paper display of 24 × 24 pixels.
 struct Paper([[Ink; 24]; 24]);
 
 impl OriginDimensions for Paper {
@@ -164,7 +164,7 @@ impl DrawTarget for Paper {
     }
 }
 
-/// A solid of one's own: a mark on the target, never in the way.
+/// A solid of one's own: a mark at the camera's target, over the sheet, without a shadow.
 struct Mark;
 
 impl<S: Scalar> Solids<S> for Mark {

@@ -1,4 +1,4 @@
-//! A sheet and a solver's memory that were saved and restored go on with the same bits; what could not have been saved is refused.
+//! A saved and restored sheet, with its solver's memory, goes on with the same bits. States that could not have been saved are refused.
 
 use std::fmt::Debug;
 
@@ -17,7 +17,7 @@ const H: usize = 5;
 type Springs<S> = (Damped<Stretch<S>, S>, Shear<S>, Bend<S>);
 type State<S, V> = (Cloth<S, W, H>, <V as Solver<S>>::Memory<Springs<S>, W, H>);
 
-/// 50 frames, saved and restored after 25 by a format, which gives the state anew.
+/// 50 frames. After 25 the state is saved and restored in two formats; the copies must keep the same bits.
 fn goes_on<S, V>(name: &str, solver: V, substeps: u32, stiffness: f64)
 where
     S: Scalar + Serialize + DeserializeOwned,
@@ -50,7 +50,7 @@ where
             assert_eq!(measure::digest(restored), measure::digest(&cloth), "{name} in {}, frame {frame}", S::NAME);
         }
     }
-    // and so does all that is remembered
+    // the memories are the same, too
     let end = postcard::to_stdvec(&(&cloth, &memory)).unwrap();
     for state in &states {
         assert_eq!(postcard::to_stdvec(state).unwrap(), end, "{name} in {}", S::NAME);
@@ -69,7 +69,7 @@ fn every_solver_goes_on<S: Scalar + Serialize + DeserializeOwned>() {
     goes_on::<S, _>("resting", Resting::new(&units, Stillness::DEFAULT, Lines::default()), 4, 200.0);
     let thick = Thickness::new(&units, units.cell);
     goes_on::<S, _>("meeting itself", SelfContact::new(thick, 0.3, Lines::default()), 4, 200.0);
-    // in a few frames: it is saved at rest
+    // at rest after a few frames, so that it is saved at rest
     let soon = Stillness { speed: 100.0, acceleration: 1e4, time: 0.2 };
     goes_on::<S, _>("at rest", Resting::new(&units, soon, Xpbd), 4, 200.0);
 }
@@ -95,7 +95,7 @@ fn sheet<S: Scalar>() -> Cloth<S, 4, 3> {
     Cloth::lay(&UNITS, UNITS.point([0.1, 0.2, 0.3]))
 }
 
-/// The reason why a text is no sheet.
+/// The error of reading a sheet from this text.
 fn refusal<S: Scalar + DeserializeOwned, const C: usize, const R: usize>(text: &str) -> String {
     serde_json::from_str::<Cloth<S, C, R>>(text).map(|_| ()).unwrap_err().to_string()
 }
@@ -104,7 +104,7 @@ fn refusal<S: Scalar + DeserializeOwned, const C: usize, const R: usize>(text: &
 fn sheets_of_another_size_are_refused() {
     let text = serde_json::to_string(&sheet::<Q24>()).unwrap();
     assert_eq!(serde_json::from_str::<Cloth<Q24, 4, 3>>(&text).unwrap(), sheet());
-    // as many particles
+    // the same number of particles
     assert!(refusal::<Q24, 3, 4>(&text).contains("a sheet of 4 × 3 particles, not of 3 × 4"));
     assert!(refusal::<Q24, 4, 4>(&text).contains("16 values"), "{}", refusal::<Q24, 4, 4>(&text));
     assert!(!refusal::<Q24, 4, 2>(&text).is_empty());
@@ -140,7 +140,7 @@ fn numbers_that_make_no_sense_are_refused() {
     assert!(refusal::<Q24, 4, 3>(&text.replace("16777216", "99999999999")).contains("invalid value"));
 }
 
-/// Any byte of a memory may be damaged: it is refused, or steps end.
+/// A memory with a damaged byte is refused, or steps with it come to an end without a panic.
 #[test]
 fn damaged_memories_do_no_harm() {
     fn check<V>(solver: V)

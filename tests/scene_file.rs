@@ -1,11 +1,11 @@
-//! Scene files: what a good one means, and the line that a bad one gets.
+//! Scene files: the meaning of a good one, and the error line for a bad one.
 
 use kerchief::host::{
     BUILT_IN, DEFAULT_SCENE, Description, Everything, Pose, SHAPES, SolverKind, Weave, WindModel, built_in,
 };
 use kerchief::{Q24, Scalar, Stillness};
 
-/// A good scene that names every key, for the tests to spoil.
+/// A good scene with every key, which tests spoil.
 const GOOD: &str = r##"
 name = "good"
 [cloth]
@@ -82,7 +82,7 @@ fn spoilt(from: &str, to: &str) -> String {
     GOOD.replacen(from, to, 1)
 }
 
-/// Asserts that `text` is refused in one line that starts with `key` and holds `reason`.
+/// Asserts that `text` is refused for `key`, in one line that contains `reason`.
 fn refused(text: &str, key: &str, reason: &str) {
     let error = Description::parse(text).expect_err(text);
     let line = error.to_string();
@@ -224,7 +224,7 @@ fn the_thesis_scenes_share_their_sheet() {
     }
 }
 
-/// What is replaced, by what, the key in the error and what its reason must say.
+/// The text to replace, its replacement, the key in the error, and words of its reason.
 type Bad = (&'static str, &'static str, &'static str, &'static str);
 
 fn all_refused(cases: &[Bad]) {
@@ -408,7 +408,7 @@ fn names_and_places_that_do_not_exist() {
     ]);
 }
 
-/// Serde would take a table with the name as its key.
+/// Serde by itself would accept a table with the name as its key.
 #[test]
 fn names_that_are_tables() {
     all_refused(&[
@@ -420,7 +420,7 @@ fn names_that_are_tables() {
     ]);
 }
 
-/// A chain runs whatever its width: in the same bits.
+/// A chain moves to the same bits with any width.
 #[test]
 fn a_chain_without_a_width_runs() {
     fn digest<S: Scalar + Send>(width: &str) -> u32 {
@@ -440,7 +440,7 @@ fn a_chain_without_a_width_runs() {
     }
 }
 
-/// A chain has no width, whatever the file says; a sheet has.
+/// The width of a chain is ignored, but must be finite; that of a sheet must be positive.
 #[test]
 fn a_chain_ignores_its_width() {
     let chain = "[cloth]\ncolumns = 1\nrows = 32\nwidth = W\nheight = 1\nmass = 1\n";
@@ -471,7 +471,7 @@ fn text_that_is_not_toml() {
     refused("{\"json\": true}", "line 1", "expected");
 }
 
-/// A scene that says everything, for a grid that a test may compile.
+/// A scene with nearly every part, for a small grid that a test can compile.
 const SMALL: &str = r#"
 [cloth]
 columns = 4
@@ -523,7 +523,7 @@ acceleration = 0.0078125
 time = 2.5
 "#;
 
-/// Whatever a number is, the scene is refused in a line or moves.
+/// With any number in a file, the scene is refused in one line or moves.
 #[test]
 fn no_number_in_a_file_is_a_panic() {
     fn check<S: Scalar + Send>(text: &str) -> bool {

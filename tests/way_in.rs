@@ -3,7 +3,7 @@
 use kerchief::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Node, Q13, Q24, Sheet, Stillness, Verlet, Xpbd, measure};
 
 const DOWN: [f64; 3] = [0.0, 0.0, -9.81];
-/// Of a sheet of 8 × 8 particles and 30 cm, a cell.
+/// A cell of a sheet of 8 × 8 particles and 30 cm, m.
 const THICKNESS: f64 = 0.3 / 7.0;
 
 macro_rules! plays {

@@ -1,4 +1,4 @@
-//! Wind on panels against the aerodynamic model: `cargo test --test wind -- --nocapture` prints how far apart they are.
+//! Wind on panels against the aerodynamic model: `cargo test --test wind -- --nocapture` prints their differences.
 
 use kerchief::force::{Force, Row};
 use kerchief::{AerodynamicWind, Cloth, Node, PanelWind, Q13, Q24, Scalar, Units, Vec3};
@@ -7,7 +7,7 @@ use rig::reference::{Model, Pose, Sheet, Wind};
 use rig::scenes::{GRAVITY, springs};
 use rig::{Pace, Rig};
 
-/// What every particle gains in a substep if its mass is 1, row by row.
+/// The velocity that each particle of mass 1 gains in a substep, row by row.
 fn gains<S: Scalar, F: Force<S>, const W: usize, const H: usize>(wind: &F, cloth: &Cloth<S, W, H>) -> Vec<[f64; 3]> {
     let mut all = [Vec3::row(Vec3::ZERO); H];
     for row in 1..H {
@@ -35,7 +35,7 @@ fn sum(all: &[[f64; 3]]) -> [f64; 3] {
     all.iter().fold([0.0; 3], |sum, x| std::array::from_fn(|k| sum[k] + x[k]))
 }
 
-/// Directions all around.
+/// Directions spread over the whole sphere.
 fn directions() -> impl Iterator<Item = [f64; 3]> {
     (0..400).map(|k| {
         let (z, turn) = (1.0 - (2 * k + 1) as f64 / 400.0, 2.399_963 * f64::from(k));
@@ -44,13 +44,13 @@ fn directions() -> impl Iterator<Item = [f64; 3]> {
     })
 }
 
-/// The largest difference of a rigid plate's force from the aerodynamic model's, over that of the plate across the flow: at every angle, in calm air while the plate moves and
-/// at rest in moving air.
+/// The largest difference between both models' forces on a rigid plate, over the force on a plate across the flow: in all directions, of a plate moving in calm air and one at rest
+/// in moving air.
 fn plate<S: Scalar>(size: [f64; 2], speed: f64) -> f64 {
     const SIDE: usize = 6;
     let units = Units::sheet([SIDE; 2], size, 0.02, 0.02, 8);
     let plate = |direction: [f64; 3], air: [f64; 3]| {
-        // across the first axis that is not along it
+        // perpendicular to `direction`
         let mut side = if direction[0].abs() < 0.9 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
         let along: f64 = (0..3).map(|k| side[k] * direction[k]).sum();
         side = std::array::from_fn(|k| side[k] - along * direction[k]);
@@ -86,7 +86,7 @@ fn plate<S: Scalar>(size: [f64; 2], speed: f64) -> f64 {
             let (found, expected) = (gains(&panels, &cloth), gains(&exact, &wide(&cloth)));
             error = error.max(norm(difference(sum(&found), sum(&expected))));
             largest = largest.max(norm(sum(&expected)));
-            // inside, where the corners that six triangles share are those that four panels share, each particle by itself
+            // inside the plate, where six triangles or four panels share a particle, particles are compared one by one
             for (column, row) in [(2, 2), (3, 1), (4, 4)] {
                 let k = row * SIDE + column;
                 error = error.max(25.0 * norm(difference(found[k], expected[k])));
@@ -101,7 +101,7 @@ fn rigid_plates_are_pressed_as_by_the_aerodynamic_model_at_every_angle() {
     fn every<S: Scalar>(bound: f64) {
         for size in [[1.0, 1.0], [1.0, 0.6], [0.3, 1.0], [0.1, 1.0]] {
             for speed in [0.5, 2.0, 10.0, 40.0] {
-                // of a force of a few last places none has two digits
+                // a force of only a few last places has fewer than two digits
                 if size[0] < 0.2 && speed < 1.0 {
                     continue;
                 }
@@ -117,8 +117,8 @@ fn rigid_plates_are_pressed_as_by_the_aerodynamic_model_at_every_angle() {
     every::<Q13>(0.02);
 }
 
-/// A flag held along its left side in the aerodynamic model's wind, and by how much panels would press otherwise on it: the root mean square of the particles' differences and
-/// of that of the whole force, both over those of the forces.
+/// Differences between both models on a flag that is pinned along its left side and moves in the aerodynamic model's wind: root mean square of the forces on particles and of the
+/// total force, each over the root mean square of the force itself.
 fn flag<S: Scalar>([width, height]: [f64; 2], wind: [f64; 3]) -> [f64; 2] {
     const SIDE: usize = 16;
     let sheet = Sheet::new(Pose::Hang, [SIDE; 2], [width, height]).with_density(0.12).with_left_pinned();
@@ -135,7 +135,7 @@ fn flag<S: Scalar>([width, height]: [f64; 2], wind: [f64; 3]) -> [f64; 2] {
     let (mut errors, mut squares) = ([0.0; 2], [0.0; 2]);
     for frame in 0..300 {
         rig.step();
-        // once it flies
+        // only once the flag flies
         if frame < 60 {
             continue;
         }

@@ -37,7 +37,7 @@ fn a_hanging_chain_comes_to_rest_at_its_own_weight() {
     check::<f64>(Method::Leapfrog, 64, 1e-6);
 }
 
-/// The time of `count` swings of the chain's lowest particle in its first mode, by its passages through zero, s.
+/// The period of the chain's first mode, s: from the passages of its lowest particle through zero, over `count` swings.
 fn swings<V: kerchief::Solver<f64>>(solver: V, count: u32, stiffness: f64) -> f64 {
     let model = chain(stiffness, 0.0);
     let mut rig = Rig::<f64, _, 1, 32>::new(&model, Pace::new(0.01, 32), solver);
@@ -74,7 +74,7 @@ fn a_chain_swings_at_the_frequency_of_laguerres_polynomial() {
         [("leapfrog", swings(Leapfrog, 3, stiffness)), ("lines", swings(Lines::default(), 3, stiffness))]
     {
         let error = found / period - 1.0;
-        // the springs give by 0.08 % of the length, which the inextensible closed form leaves out
+        // the springs stretch by 0.08 % of the length, which the inextensible closed form leaves out
         assert!(error.abs() < 1e-3, "{name}: {found} s instead of {period} s");
     }
 }

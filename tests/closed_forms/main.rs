@@ -1,4 +1,4 @@
-//! Solvers against what mathematics solves, and the thesis' question.
+//! Solvers against closed forms, and the thesis' question of super-elasticity.
 
 mod chain;
 mod thesis;

@@ -1,4 +1,4 @@
-//! The thesis could not cure super-elasticity; what it is, and that it is cured.
+//! Super-elasticity, which the thesis could not cure: the thesis' method shows it, and the line solver does not.
 
 use kerchief::Scalar;
 
@@ -6,7 +6,7 @@ use rig::reference::{BEND, Family, Model, Pose, SHEAR, STRETCH, Sheet, drag_of_v
 use rig::scenes::GRAVITY;
 use rig::{Method, Pace, moved, strain};
 
-/// 32 × 32 particles of 1 kg on 10 m, held at three corners.
+/// 32 × 32 particles of 1 kg on 10 m, pinned at three corners.
 fn gravity() -> Model {
     let sheet = Sheet::new(Pose::Lay, [32, 32], [10.0, 10.0]).with_pins(&[(0, 0), (31, 0), (0, 31)]);
     Model {
@@ -37,7 +37,7 @@ fn the_thesis_method_is_super_elastic_and_the_line_solver_is_not() {
         .iter()
         .map(|state| strain(&model, state, (1, 0)).max(strain(&model, state, (0, 1))))
         .fold(0.0, f64::max);
-    // three pins carry a ton: these springs do give by a third of their length
+    // three pins carry a tonne: the springs themselves stretch by a third of their length
     assert!((0.2..0.5).contains(&true_strain), "{true_strain}");
     let thesis = strain_in_motion::<f32>(Method::Verlet(15), 1, 20);
     assert!(thesis > 2.0, "15 sweeps of the thesis: {thesis}");

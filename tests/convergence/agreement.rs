@@ -1,4 +1,4 @@
-//! Solvers near the solution of the equation of motion, for every force, family and shape of sheet.
+//! Distances of solvers from the solution of the equation of motion, for every force, link family and shape of sheet.
 
 use kerchief::{Q24, Scalar};
 

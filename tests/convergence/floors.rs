@@ -1,4 +1,4 @@
-//! What every number type loses to rounding, by every solver.
+//! Rounding errors of every solver in every number type.
 
 use kerchief::{Q13, Q24, Scalar};
 
@@ -6,8 +6,8 @@ use rig::reference::State;
 use rig::scenes::corners;
 use rig::{Method, Pace, error, moved};
 
-/// Every solver, its substeps of 0.1 s, and how far it may be from itself in `f64` in `f32`, `Q24` and `Q13`, sheet sizes. Steps are as long as each holds:
-/// the shorter they are the weaker a force is that fixed point leaves out.
+/// Every solver, its substeps of 0.1 s, and its largest distance in `f32`, `Q24` and `Q13` from itself in `f64`, sheet sizes. Substeps are as long as stability allows:
+/// the longer they are, the weaker are the forces that fixed point rounds to nothing.
 const FLOORS: [(Method, u32, [f64; 3]); 7] = [
     (Method::ForwardEuler, 512, [2e-5, 6e-3, 6e-3]),
     (Method::BackwardEuler, 16, [1e-5, 1e-5, 2e-3]),

@@ -1,4 +1,4 @@
-//! The order of every solver in time, by halving its step.
+//! The order of every solver in time, found by halving its step.
 
 use core::ops::Range;
 
@@ -9,7 +9,7 @@ use rig::{Method, Pace, carried, largest_error, moved, tenths};
 const FIRST: Range<f64> = 0.85..1.15;
 const SECOND: Range<f64> = 1.9..2.2;
 
-/// Every solver with its order and the fewest substeps of 0.1 s that show it: where all that vibrates is resolved.
+/// Every solver, its order, and the fewest substeps in a frame of 0.1 s that show it, because they resolve all vibrations.
 const METHODS: [(Method, Range<f64>, u32); 9] = [
     (Method::ForwardEuler, FIRST, 1024),
     (Method::BackwardEuler, FIRST, 256),
@@ -22,7 +22,7 @@ const METHODS: [(Method, Range<f64>, u32); 9] = [
     (Method::Lines(4), SECOND, 128),
 ];
 
-/// Two halvings of the step show every solver's order over so many tenths of a second.
+/// Asserts every solver's order over `frames` tenths of a second, by halving its step twice.
 fn assert_orders(model: &Model, start: &State, frames: u32) {
     assert_orders_of(&METHODS, model, start, frames);
 }
@@ -72,12 +72,12 @@ fn a_flag_that_its_pins_carry() {
     assert_orders(&model, &carried(&model, [1.0, -0.5, 0.4]), 10);
 }
 
-/// Dampers that are stronger than inertia within a substep: solvers that take them one by one would need many more.
+/// Dampers that are stronger than inertia within a substep. Solvers that treat dampers one by one would need many more substeps.
 #[test]
 fn strong_dampers() {
     let model = syrup(8);
     let exact = model.ode().solve(&model.start(), &tenths(10), 1e-8);
-    // what passes over diagonals leave is of third order, and small where a substep has κ < 0.01 only
+    // the error that passes over diagonals leave is of third order, and small only where a substep has κ < 0.01
     let second = 1.7..2.2;
     for (method, expected, substeps) in [(Method::Lines(2), &second, 256), (Method::BackwardEuler, &FIRST, 16)] {
         let errors = [1, 2, 4].map(|times| {

@@ -1,6 +1,6 @@
-//! What the line solver promises for its cost: position errors against the equation of motion, strains, and the operations they take.
+//! Goals of the line solver: bounds on position errors against the equation of motion, on strains, and on the operations spent.
 //!
-//! Operations are counted (`Counted`), so that no bound depends on the machine. The laboratory puts them and instructions into plots.
+//! Operations are counted (`Counted`), so that no bound depends on the machine. The laboratory plots operations and instructions.
 
 mod sheet;
 
@@ -8,12 +8,12 @@ use std::fmt::Write;
 
 use sheet::{Hold, Sheet};
 
-/// A setting of the line solver in `f32` and what it has to reach.
+/// A setting of the line solver in `f32`, with its bounds.
 struct Goal {
     sheet: Sheet,
     /// Substeps of a frame of 0.1 s.
     substeps: u32,
-    /// The strain of a row for which a substep has more than two sweeps.
+    /// The largest strain of a row that needs no more than two sweeps in a substep.
     tolerance: f64,
     /// Position error, RMS over particles and frames / sheet size.
     error: f64,
@@ -26,9 +26,9 @@ struct Goal {
 const TWO_CORNERS: Sheet = Sheet { side: 16, mass: 1.0, hold: Hold::TwoCorners, wind: None, frames: 20 };
 const TOP_EDGE: Sheet = Sheet { side: 32, mass: 1.0, hold: Hold::TopEdge, wind: None, frames: 20 };
 const FLAG: Sheet = Sheet { side: 32, mass: 1.0, hold: Hold::LeftEdge, wind: Some([5.0, 0.0, -3.0]), frames: 20 };
-/// Of fewer and larger cells, on which the same wind presses four times as hard: after the first second it flutters, and errors grow whatever the step.
+/// Fewer, larger cells: the same wind presses four times as hard on each particle. After the first second this flag flutters, and errors grow with any step.
 const WIND: Sheet = Sheet { side: 16, frames: 10, ..FLAG };
-/// The flag itself on cells twice as wide: as much mass and as much wind.
+/// The flag on cells twice as wide, with the same total mass in the same wind.
 const COARSE_FLAG: Sheet = Sheet { side: 16, mass: 4.0, ..FLAG };
 
 #[rustfmt::skip]

@@ -10,10 +10,10 @@ const SIZE: f64 = 10.0;
 const FRAME: f64 = 0.1;
 /// Substeps of the finer of two reference solutions.
 const FINE: u32 = 512;
-/// How far the limit that two reference solutions point to may be from the finer, sheet sizes: an error of second order, which the limit lacks.
+/// The largest distance of the finer reference solution from the extrapolated limit, sheet sizes. It is an error of second order, which the extrapolation removes.
 const CONVERGED: f64 = 1e-5;
 
-/// Where a sheet is held.
+/// Where a sheet is pinned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Hold {
     TwoCorners,
@@ -25,19 +25,19 @@ pub(crate) enum Hold {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sheet {
     pub(crate) side: usize,
-    /// Of a particle, kg.
+    /// The mass of a particle, kg.
     pub(crate) mass: f64,
     pub(crate) hold: Hold,
-    /// Of the facet model, m/s.
+    /// The wind of the facet model, m/s.
     pub(crate) wind: Option<[f64; 3]>,
-    /// How long it moves.
+    /// The length of the run, frames of 0.1 s.
     pub(crate) frames: usize,
 }
 
 /// Positions at the ends of frames, m.
 pub(crate) type Frames = Vec<Vec<[f64; 3]>>;
 
-/// What a run reached.
+/// The measured counterparts of a goal's bounds.
 #[derive(Clone, Copy, Debug)]
 #[allow(dead_code, reason = "shown where a goal is missed")]
 pub(crate) struct Found {
@@ -46,7 +46,7 @@ pub(crate) struct Found {
     pub(crate) operations: f64,
 }
 
-/// A sheet in motion: positions, the largest strain and the operations of every frame.
+/// The result of a run: positions of all frames, the largest strain, and the operations in total.
 struct Motion {
     frames: Frames,
     strain: f64,
@@ -54,7 +54,7 @@ struct Motion {
 }
 
 impl Sheet {
-    /// The solution: leapfrog in `f64`, extrapolated.
+    /// The reference solution: leapfrog in `f64`, extrapolated from two steps.
     pub(crate) fn reference(&self) -> Frames {
         let [fine, coarse] = [FINE, FINE / 2].map(|substeps| self.moved::<f64, _>(Leapfrog, substeps).frames);
         let limit: Frames = fine.iter().zip(&coarse).map(|(fine, coarse)| extrapolate(fine, coarse)).collect();
@@ -63,7 +63,7 @@ impl Sheet {
         limit
     }
 
-    /// The line solver in `f32` against the solution.
+    /// The line solver in `f32` against the reference solution.
     pub(crate) fn run(&self, substeps: u32, tolerance: f64, reference: &Frames) -> Found {
         let motion = self.moved::<Counted, _>(Lines::with_sweeps(2).within(tolerance), substeps);
         let particle_frames = (self.side * self.side * self.frames) as f64;
@@ -77,7 +77,7 @@ impl Sheet {
     fn moved<S: Scalar, V: Solver<S>>(&self, solver: V, substeps: u32) -> Motion {
         let units = Units::sheet([self.side; 2], [SIZE; 2], self.mass, FRAME, substeps);
         let gravity = Gravity::new(units.acceleration([0.0, 0.0, -9.81]));
-        // a tenth of the motion is lost in a frame
+        // drag takes a tenth of every velocity in a frame
         let drag = Drag::new(units.drag(-0.9_f64.ln() / FRAME));
         match (self.side, self.wind) {
             (16, None) => self.frames::<S, V, _, 16, 16>(solver, &units, (gravity, drag)),
@@ -129,7 +129,7 @@ fn extrapolate(fine: &[[f64; 3]], coarse: &[[f64; 3]]) -> Vec<[f64; 3]> {
     fine.iter().zip(coarse).map(particle).collect()
 }
 
-/// RMS over particles and frames, over the sheet's size.
+/// The RMS distance over particles and frames, over the sheet's size.
 fn distance(a: &Frames, b: &Frames) -> f64 {
     let squares =
         a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>());

@@ -1,16 +1,16 @@
-//! What pages of the guide say and no snippet or other test holds.
+//! Claims of the guide's pages that no snippet and no other test asserts.
 
 use kerchief::host::{Description, Everything, built_in};
 use kerchief::{
     BackwardEuler, ForwardEuler, Leapfrog, Lines, Node, Shear, Sheet, Solver, Stretch, Vec3, Verlet, Xpbd, measure,
 };
 
-/// Bytes that a solver remembers of a sheet of 16 × 16 particles in `f32`, with two families of springs.
+/// The size of a solver's memory for a sheet of 16 × 16 particles in `f32` with two families of springs, bytes.
 fn remembered<V: Solver<f32>>(_: V) -> usize {
     size_of::<V::Memory<(Stretch<f32>, Shear<f32>), 16, 16>>()
 }
 
-/// The column *remembers* of the table of solvers.
+/// The column *remembers* in the table of solvers.
 #[test]
 fn solvers_remember_what_the_page_says() {
     let number = size_of::<f32>() * 16 * 16;
@@ -19,12 +19,12 @@ fn solvers_remember_what_the_page_says() {
     assert_eq!(remembered(ForwardEuler::new()), vector);
     assert_eq!(remembered(Leapfrog::new()), 2 * vector);
     assert_eq!(remembered(BackwardEuler::new()), 5 * vector);
-    // a particle has two stretch links and two diagonals; a little is remembered of the sheet as a whole
+    // a multiplier for each of a particle's two stretch links and two diagonals, and a few bytes for the whole sheet
     let lines = vector + 4 * number;
     assert!((lines..lines + 200).contains(&remembered(Lines::new())), "{}", remembered(Lines::new()));
 }
 
-/// Kinetic energies after a frame of a sheet that moves through still air, over that before.
+/// Compares the kinetic energy of a sheet that moves through still air, after a frame, with that before.
 #[test]
 fn still_air_brakes_in_two_models_of_three() {
     const SHEET: Sheet<f32, 8, 8> = Sheet::new([0.3, 0.3], 1e-3, 1.0 / 60.0, 4);
@@ -46,7 +46,7 @@ fn still_air_brakes_in_two_models_of_three() {
     assert_eq!(left!(SHEET.facet_wind(still)), 1.0);
 }
 
-/// Particles that touch the ball of the scene `no-shear` after 2.4 s.
+/// The number of particles that touch the ball of the scene `no-shear` after 2.4 s.
 fn carried(shear: &str) -> usize {
     let text = format!("{}\n{shear}", built_in("no-shear").unwrap().text);
     let scene = Description::parse(&text).unwrap();

@@ -1,4 +1,4 @@
-//! The pages of the guide: their links in the repository and in the documentation, their length, and what they list.
+//! The pages of the guide: their links in the repository and in the documentation, their lengths, and their lists.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -7,14 +7,14 @@ use std::path::{Path, PathBuf};
 mod claims;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-/// Words that a page may have.
+/// The most words of a page.
 const MOST_WORDS: usize = 500;
 
 fn read(path: &str) -> String {
     fs::read_to_string(format!("{ROOT}/{path}")).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// The pages that the documentation has beside the index, as `src/guide.rs` lists them.
+/// The pages beside the index that `src/guide.rs` lists for the documentation.
 fn pages() -> Vec<String> {
     let source = read("src/guide.rs");
     let list = source.split_once("pages! {").expect("a list of pages").1;
@@ -33,13 +33,13 @@ fn prose(text: &str) -> String {
     text.split("```").step_by(2).collect()
 }
 
-/// `[label]: target` lines.
+/// The targets of all `[label]: target` lines, by label.
 fn definitions(text: &str) -> BTreeMap<String, String> {
     let lines = text.lines().filter_map(|line| line.strip_prefix('[')?.split_once("]: "));
     lines.map(|(label, target)| (label.into(), target.into())).collect()
 }
 
-/// The labels that a text uses, as `[text][label]` or `[label]`, in lower case as Markdown compares them.
+/// The labels that a text uses, as `[text][label]` or `[label]`. They are in lower case, since Markdown ignores case.
 fn labels(text: &str) -> BTreeSet<String> {
     let without_spans: String = prose(text).split('`').step_by(2).collect::<Vec<_>>().join("code");
     let lines = without_spans.lines().filter(|line| !(line.starts_with('[') && line.contains("]: ")));
@@ -62,7 +62,7 @@ fn the_index_has_every_page() {
     let pages = pages();
     assert!(pages.len() == 11 && rows.len() == pages.len(), "{pages:?}");
     for (row, page) in rows.iter().zip(&pages) {
-        assert!(row.contains(&format!("[{page}]")), "the index has the order of the documentation: {row}, {page}");
+        assert!(row.contains(&format!("[{page}]")), "the index and the documentation differ in order: {row}, {page}");
     }
     assert!(read("README.md").contains("(docs/guide/README.md)"));
 }
@@ -72,11 +72,11 @@ fn links_lead_somewhere_in_the_repository_and_in_the_documentation() {
     let here = definitions(&read("src/guide/links.md"));
     let pages = pages();
     let index = read("docs/guide/README.md");
-    let listed = index.split_once("## In the repository").expect("a list of what is not here").1.to_owned();
+    let listed = index.split_once("## In the repository").expect("a list of further pages").1.to_owned();
     let mut used = BTreeSet::new();
     for page in pages.iter().map(String::as_str).chain(["README"]) {
         let text = read(&format!("docs/guide/{page}.md"));
-        assert!(!prose(&text).contains("]("), "{page} has a link that the documentation cannot turn");
+        assert!(!prose(&text).contains("]("), "{page} has an inline link, which the documentation cannot redirect");
         let there = definitions(&text);
         let labels = labels(&text);
         assert_eq!(labels, there.keys().cloned().collect(), "{page}: links and their definitions");
@@ -119,7 +119,7 @@ fn relative_links_of_all_pages_exist() {
     assert!(count > 100, "{count} links");
 }
 
-/// Whatever has a letter, outside of code and definitions of links.
+/// The number of words with a letter, outside of code and link definitions.
 fn words(text: &str) -> usize {
     let prose = prose(text);
     let lines = prose.lines().filter(|line| !(line.starts_with('[') && line.contains("]: ")));
@@ -130,7 +130,7 @@ fn words(text: &str) -> usize {
 fn pages_are_short_and_have_snippets() {
     for page in pages() {
         let text = read(&format!("docs/guide/{page}.md"));
-        // a reference is as long as its tables
+        // the tables of a reference don't count
         let counted = if page == "scene-file" {
             text.lines().filter(|line| !line.starts_with('|')).collect::<Vec<_>>().join("\n")
         } else {
@@ -138,7 +138,7 @@ fn pages_are_short_and_have_snippets() {
         };
         let words = words(&counted);
         assert!(words <= MOST_WORDS, "{page}: {words} words");
-        assert!(page == "symptoms" || text.contains("```rust"), "{page} has a snippet");
+        assert!(page == "symptoms" || text.contains("```rust"), "{page} has no snippet");
     }
     let readme = read("README.md").split_whitespace().count();
     assert!(readme <= 900, "README: {readme} words");

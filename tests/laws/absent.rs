@@ -1,4 +1,4 @@
-//! What has no link changes nothing: diagonals of a chain.
+//! A family without links has no effect: diagonals of a chain.
 
 use kerchief::{Q13, Q24, Scalar};
 
@@ -6,7 +6,7 @@ use rig::reference::{Family, SHEAR};
 use rig::scenes::chain;
 use rig::{Method, Pace, moved};
 
-/// Whether a chain moves to the same bits with diagonals a hundred times as stiff as its links, and as much damped.
+/// Whether a chain ends in the same bits after it gets diagonals with a hundred times the stiffness and the damping of its links.
 fn is_unchanged<S: Scalar>(method: Method) -> bool {
     let digest = |further: Option<Family>| {
         let mut model = chain();

@@ -1,4 +1,4 @@
-//! What changes while a sheet moves, its springs or what pulls at it, changes forces and nothing else: no solver throws a sheet for what it remembers of the old ones.
+//! Springs, gravity or drag may change while a sheet moves. That changes the forces only: no solver may jolt the sheet because its memory stems from the old forces.
 
 use kerchief::{BackwardEuler, Leapfrog, Lines, Node, Q13, Q24, Scalar, Sheet, Solver, Verlet, Xpbd};
 
@@ -14,7 +14,7 @@ enum Change {
     Thicker,
 }
 
-/// The largest change of a velocity in a frame, from the change on, in parts of what gravity adds in a frame.
+/// The largest velocity change of a particle in one frame, from the change on, over the velocity that gravity adds in a frame.
 fn jump<S: Scalar, V: Solver<S>>(change: Change, solver: V) -> f64 {
     let sheet = Sheet::<S, N, N>::new([0.3, 0.3], 1e-3, 1.0 / 60.0, 16);
     let mut cloth = sheet.hang([0.0, 0.0, 0.3]);
@@ -51,11 +51,11 @@ fn what_changes_throws_nothing() {
     fn check<S: Scalar>() {
         fn by<S: Scalar, V: Solver<S>>(name: &str, solver: impl Fn() -> V) {
             for change in [Change::Nothing, Change::Stiffer, Change::Softer, Change::Tilted, Change::Thicker] {
-                // of a solver that remembers nothing
+                // leapfrog carries nothing over from one substep to the next
                 let usual = jump::<f64, _>(change, Leapfrog::new());
                 let found = jump::<S, V>(change, solver());
-                assert!(found < 1.1 * usual, "{change:?} by {name} in {}: {found} beside {usual}", S::NAME);
-                assert!(found > 0.3 * usual, "{change:?} by {name} in {}: {found} beside {usual}", S::NAME);
+                assert!(found < 1.1 * usual, "{change:?} by {name} in {}: {found}, {usual} by leapfrog", S::NAME);
+                assert!(found > 0.3 * usual, "{change:?} by {name} in {}: {found}, {usual} by leapfrog", S::NAME);
             }
         }
         by::<S, _>("leapfrog", Leapfrog::new);

@@ -1,4 +1,4 @@
-//! Pins, the strain limit, tethers; one scene for many sheets.
+//! Pins, the strain limit, tethers, one scene for several sheets, and the order of link families.
 
 use kerchief::{
     Bend, Cloth, Drag, Gravity, Grid, Lines, Node, Q24, Scalar, Scene, Shear, StrainLimited, Stretch, Tether, Units,
@@ -24,7 +24,7 @@ fn a_moving_pin_arrives_where_it_was_told() {
             let name = S::NAME;
             assert!(
                 off < bound,
-                "{name}, {substeps} substeps: {off:e} m off after frame {frame}, {x:?} not {target:?}"
+                "{name}, {substeps} substeps: {off:e} m off after frame {frame}, {x:?} instead of {target:?}"
             );
         }
     }
@@ -58,7 +58,7 @@ fn one_scene_moves_two_sheets_alike() {
     assert_eq!(one.cloth, second.0);
 }
 
-/// The thesis' sheet, which its method stretches to several times its size.
+/// The thesis' sheet. The thesis' method stretches it to several times its size.
 fn thesis() -> Model {
     let mut model = corners(16);
     for (family, stiffness) in model.families.iter_mut().zip([94_270.0, 9_427.0, 942.7]) {
@@ -75,12 +75,12 @@ fn no_link_is_longer_than_the_limit_after_a_step_at_pins_too() {
         for frame in 0..50 {
             rig.step();
             let longest = measure::strain(&rig.cloth, &rig.scene.links).largest.to_f64();
-            // compression counts as strain too: measured by length
+            // the strain counts compression too, so elongations are measured here
             let stretched = [(1, 0), (0, 1), (1, 1), (-1, 1)]
                 .map(|offset| overlong(&rig.cloth, offset))
                 .into_iter()
                 .fold(0.0, f64::max);
-            assert!(stretched < 0.1 + 1e-6, "{stretched} in {} after frame {frame} ({longest})", S::NAME);
+            assert!(stretched < 0.1 + 1e-6, "{stretched} in {} after frame {frame} (strain {longest})", S::NAME);
         }
     }
     check::<f32>();
@@ -107,11 +107,11 @@ fn no_particle_is_further_from_a_pin_than_its_tether() {
     for _ in 0..50 {
         rig.step();
         for node in Grid::<f64, 16, 16>::nodes() {
-            // the last anchor has the last word; the first may be left a little too far
+            // anchors act in order: particles may end a little too far from the first
             let anchor = anchors[1];
             let d = (rig.cloth.position.at(node) - rig.cloth.position.at(anchor)).length();
             let rest = ((node.column.abs_diff(15).pow(2) + node.row.pow(2)) as f64).sqrt();
-            assert!(d <= 1.05 * rest + 1e-9, "{d} for {rest} at {node:?}");
+            assert!(d <= 1.05 * rest + 1e-9, "{node:?} is {d} cells from its pin, {rest} at rest");
         }
     }
 }
@@ -128,7 +128,7 @@ fn a_tether_to_a_pin_that_was_let_go_holds_nothing() {
     assert!(apart > 30.0, "{apart} cells");
 }
 
-/// What holds a sheet together has its memory wherever a scene names it.
+/// Each link family has its part of the solver's memory, in any order of the families.
 #[test]
 fn the_order_of_families_does_not_matter() {
     let units = Units::sheet([8, 8], [0.7, 0.7], 1e-3, 1.0 / 60.0, 2);
@@ -151,7 +151,7 @@ fn the_order_of_families_does_not_matter() {
     let strain = measure::strain(&other, &stretch).largest;
     assert!(strain < 0.01, "{strain}");
     for (a, b) in usual.position.values().zip(other.position.values()) {
-        // of one shear, of the other bend starts from nothing
+        // families are relaxed in the scene's order, so results differ a little
         assert!((a - b).length() < 0.05, "{a:?} and {b:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! Colliders: margins are kept, friction is Coulomb's.
+//! Colliders: particles stay outside their margins, and friction is Coulomb's.
 
 use kerchief::units::Length;
 use kerchief::{
@@ -15,7 +15,7 @@ fn free(gravity: [f64; 3]) -> Model {
     Model { families: springs(200.0, 10.0, 1.0), gravity, drag: 0.2, ..Model::new(sheet) }
 }
 
-/// Lets a sheet fall on a collider and asserts after every frame that no particle is nearer to it than `reach`.
+/// Lets a sheet fall on a collider and asserts after every frame that no particle is nearer than `reach`.
 fn assert_kept<S: Scalar, V: Solver<S>, C: Collider<S>>(
     solver: V,
     collider: impl FnOnce(&Units) -> C,
@@ -59,7 +59,7 @@ fn no_particle_comes_nearer_than_the_margin() {
     check::<Q24>();
 }
 
-/// A collider that may be there is one, or none; and a coefficient of friction does not choose the number type.
+/// `Some(collider)` acts as the collider and `None` as no collider. A coefficient of friction does not decide the number type.
 #[test]
 fn a_collider_that_is_there_or_not() {
     const UNITS: Units = Units::sheet([6, 6], [0.3, 0.3], 1e-3, 0.02, 4);
@@ -81,7 +81,7 @@ fn a_collider_that_is_there_or_not() {
     assert_ne!(end(ball), end(()));
 }
 
-/// How far a sheet on a slope has slid after 0.5 s, m: the plane is level and gravity tilts.
+/// How far a sheet on a slope slides in 0.5 s, m. The plane is level and gravity is tilted instead.
 fn slid<S: Scalar, V: Solver<S>>(solver: V, substeps: u32, slope: f64, friction: f64) -> f64 {
     let gravity = [9.81 * slope.sin(), 0.0, -9.81 * slope.cos()];
     let model = Model { drag: 0.0, ..free(gravity) };
@@ -94,7 +94,7 @@ fn slid<S: Scalar, V: Solver<S>>(solver: V, substeps: u32, slope: f64, friction:
     rig.state().position[0][0] + 0.5
 }
 
-/// Slides within `error` of Coulomb's law, holds within `creep` (m).
+/// Asserts that sheets slide within `error` of Coulomb's law, or stick within `creep` (m).
 fn assert_slides<S: Scalar, V: Solver<S> + Copy>(solver: V, substeps: u32, error: f64, creep: f64) {
     for (slope, friction) in [(0.3_f64, 0.1), (0.6, 0.5), (0.5, 0.0)] {
         let acceleration = 9.81 * (slope.sin() - friction * slope.cos());
@@ -111,7 +111,7 @@ fn assert_slides<S: Scalar, V: Solver<S> + Copy>(solver: V, substeps: u32, error
 
 #[test]
 fn a_sheet_slides_down_a_slope_as_coulomb_says() {
-    // first order: h·t·a/2
+    // XPBD is of first order: its error is h·t·a/2
     assert_slides::<f64, _>(Xpbd, 32, 3e-3, 1e-12);
     for substeps in [1, 8, 32] {
         assert_slides::<f64, _>(Lines::default(), substeps, 1e-6, 1e-12);
@@ -133,7 +133,7 @@ fn a_coefficient_of_friction_of_a_hundred_holds() {
     }
 }
 
-/// How far a sheet that falls half a metre on the ground comes up again, m, wherever in a substep it meets the ground.
+/// How high a sheet rebounds after a fall of half a metre, m. The ground's height varies, and with it the moment of impact within a substep.
 fn thrown_back<S: Scalar, V: Solver<S> + Copy>(solver: V, substeps: u32) -> f64 {
     let mut highest = 0.0_f64;
     for step in 0..12 {
@@ -159,7 +159,7 @@ fn the_ground_throws_nothing_back() {
             let found = [thrown_back::<S, _>(Lines::default(), substeps), thrown_back::<S, _>(Xpbd, substeps)];
             assert!(
                 found.into_iter().all(|height| height < 1e-6),
-                "{found:?} m with {substeps} substeps in {}",
+                "rebounds by {found:?} m with {substeps} substeps in {}",
                 S::NAME
             );
         }
@@ -170,7 +170,7 @@ fn the_ground_throws_nothing_back() {
     check::<Q13>();
 }
 
-/// Where a sheet lies on a rod after 0.6 s.
+/// Positions of a sheet that has fallen on a rod, after 0.6 s, m.
 fn on_a_rod<V: Solver<f64>>(solver: V, substeps: u32) -> Vec<[f64; 3]> {
     let rod = |units: &Units| {
         let ends = [[-0.6, 0.1, -0.3], [0.7, 0.0, -0.25]].map(|end| units.point(end));

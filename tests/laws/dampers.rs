@@ -1,4 +1,4 @@
-//! Two particles and a damper, whatever its strength.
+//! Two particles and a damper of any strength.
 
 use kerchief::{
     BackwardEuler, Cloth, Damped, Lines, Node, Q13, Q24, Scalar, Scene, Solver, Stretch, Units, Vec3, Verlet, Xpbd,
@@ -6,7 +6,7 @@ use kerchief::{
 
 const UNITS: Units = Units::sheet([1, 2], [0.0, 0.1], 1e-3, 0.1, 1);
 
-/// What a substep leaves of the velocity with which two particles pass each other, the spring between them being next to none.
+/// The relative velocity of two particles after a substep, over that before it. The spring between them is negligible.
 fn left<S: Scalar, V: Solver<S>>(solver: V, kappa: f64) -> f64 {
     let mut cloth = Cloth::<S, 1, 2>::hang(&UNITS, UNITS.point([0.0; 3]));
     let speed = Vec3::from_f64([0.25, 0.0, 0.0]);
@@ -19,7 +19,7 @@ fn left<S: Scalar, V: Solver<S>>(solver: V, kappa: f64) -> f64 {
     (cloth.velocity.at(Node::new(0, 0)) - cloth.velocity.at(Node::new(0, 1))).to_f64()[0] / 0.5
 }
 
-/// Implicit: 1/(1 + 2·κ).
+/// Implicit dampers leave 1/(1 + 2·κ).
 #[test]
 fn a_damper_takes_what_it_must() {
     fn check<S: Scalar>(error: f64) {

@@ -33,7 +33,7 @@ fn without_forces_momentum_stays() {
     }
     check::<f64>(1e-13);
     check::<f32>(1e-4);
-    // a rounding of 2⁻²⁴ cells in each of 800 substeps, a few links a particle, not all to one side
+    // 800 substeps, each with rounding errors of 2⁻²⁴ cells at a few links a particle, which partly cancel
     check::<Q24>(5e-3);
 }
 
@@ -46,7 +46,7 @@ fn a_free_sheet_falls_as_galileo_says() {
         for method in ALL {
             let mut motion = moved::<S, 8, 8>(&model, Pace::new(frame, substeps), method);
             motion.run(frames);
-            // Euler's methods take the velocity of a step from its start or its end
+            // Euler's methods move by the velocity at the start or the end of a step
             let late = match method {
                 Method::ForwardEuler => -0.5,
                 Method::Leapfrog | Method::Lines(_) => 0.0,
@@ -61,18 +61,18 @@ fn a_free_sheet_falls_as_galileo_says() {
     }
     check::<f64>(1e-13);
     check::<f32>(3e-6);
-    // measured 5e-6: a substep's gain is rounded to 3e-8 cells per tick, 120 times over
+    // measured 5e-6: the velocity gained in a substep is rounded to 3e-8 cells per tick, in 120 substeps
     check::<Q24>(6e-6);
 }
 
-/// A factor that is a little less than 1 where nothing slows a sheet would count the more, the finer the steps are.
+/// Guards against a velocity factor that is slightly below 1 without drag: its error would grow with the number of substeps.
 #[test]
 fn finer_steps_fall_no_less_far() {
     fn check<S: Scalar>(bound: f64) {
         let (frame, frames) = (1.0 / 60.0, 36);
         let t = frame * f64::from(frames);
         for substeps in [8, 32, 128, 512] {
-            // in the shortest steps springs this soft have no digits in fixed point
+            // in the shortest substeps such soft springs would round to nothing in fixed point
             let stiffer = (f64::from(substeps) / 128.0).powi(2).max(1.0);
             let families = springs(50.0 * stiffer, 10.0 * stiffer, stiffer);
             let model = Model { families, ..free(GRAVITY) };
@@ -91,7 +91,7 @@ fn finer_steps_fall_no_less_far() {
         }
     }
     check::<f64>(2e-12);
-    // what gravity adds to a velocity in a substep has the fewer digits, the shorter that is
+    // the shorter a substep is, the fewer digits has the velocity that gravity adds in it
     check::<f32>(2e-4);
     check::<Q24>(2e-4);
     check::<Q13>(2e-4);
@@ -131,7 +131,7 @@ fn a_sheet_at_rest_stays_at_rest_to_the_last_bit() {
 #[test]
 fn energy_does_not_grow_and_leapfrog_keeps_it() {
     let model = Model { drag: 0.0, ..corners(8) };
-    // what falling through the sheet's size sets free
+    // the potential energy of a fall by the sheet's size
     let scale = 64.0 * 9.81 * 10.0;
     for method in [Method::BackwardEuler, Method::Verlet(1), Method::Xpbd, Method::Lines(1), Method::Lines(2)] {
         let mut motion = moved::<f64, 8, 8>(&model, Pace::new(0.1, 32), method);
@@ -155,6 +155,6 @@ fn energy_does_not_grow_and_leapfrog_keeps_it() {
         let drift = (energy(&rig) - start).abs() / scale;
         assert!(drift < 2e-3, "leapfrog drifted by {drift}");
         let reference = model.ode().energy(&rig.state());
-        assert!((energy(&rig) - reference).abs() < 1e-9 * scale, "both measures of energy agree");
+        assert!((energy(&rig) - reference).abs() < 1e-9 * scale, "both measures of energy must agree");
     }
 }

@@ -1,4 +1,4 @@
-//! Laws that hold for every solver and number type.
+//! Laws for every solver and number type.
 
 mod absent;
 mod changed;

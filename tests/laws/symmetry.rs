@@ -1,4 +1,4 @@
-//! What is mirrored or moved moves mirrored or moved.
+//! Symmetry: a mirrored or shifted scene has the mirrored or shifted motion.
 
 use kerchief::{Q13, Q24, Scalar};
 
@@ -6,10 +6,10 @@ use rig::reference::{Model, Wind};
 use rig::scenes::{corners, syrup};
 use rig::{Method, Pace, moved};
 
-/// Every solver that keeps the sheets below in every number type.
+/// The solvers that are stable for the sheets below in every number type.
 const METHODS: [Method; 4] = [Method::BackwardEuler, Method::Verlet(4), Method::Xpbd, Method::Lines(2)];
 
-/// The largest difference between a sheet on two corners and its mirror image in 10 s, over its size.
+/// The largest difference between a sheet and its mirror image in 10 s, over the sheet's size.
 fn asymmetry<S: Scalar>(mut model: Model, method: Method) -> f64 {
     model.sheet.origin = [-5.0, 0.0, 0.0];
     let mut motion = moved::<S, 8, 8>(&model, Pace::new(0.1, 32), method);
@@ -27,11 +27,11 @@ fn asymmetry<S: Scalar>(mut model: Model, method: Method) -> f64 {
 #[test]
 fn a_mirrored_sheet_moves_as_the_mirror_image() {
     for model in [corners(8), syrup(8)] {
-        // links are visited in colours or all at once and rows solved from both ends, so that no side comes first
+        // links are visited in colours or all at once, and rows are solved from both ends, so that no side comes first
         for method in METHODS {
             assert_eq!(asymmetry::<f32>(model.clone(), method), 0.0, "{method:?} in f32");
             assert_eq!(asymmetry::<f64>(model.clone(), method), 0.0, "{method:?} in f64");
-            // a tie is rounded up, which a mirror turns down, and a sheet that swings makes more of it
+            // ties are rounded up, which in the mirror image is down; a swinging sheet amplifies the difference
             let [q24, q13] = [asymmetry::<Q24>(model.clone(), method), asymmetry::<Q13>(model.clone(), method)];
             assert!(q24 < 2e-4, "{method:?} in q24: {q24:e}");
             assert!(q13 < 2e-3, "{method:?} in q13: {q13:e}");
@@ -41,7 +41,7 @@ fn a_mirrored_sheet_moves_as_the_mirror_image() {
     assert_eq!(asymmetry::<f64>(corners(8), Method::Leapfrog), 0.0);
 }
 
-/// Both triangles of a cell meet in the same diagonal on either side of the sheet.
+/// The triangles of every cell meet in the same diagonal, in both halves of the sheet.
 #[test]
 fn wind_has_no_mirror() {
     let air = Wind::Aerodynamic { velocity: [0.0, 3.0, 1.0], density: 1.2, drag_coefficient: 1.2 };

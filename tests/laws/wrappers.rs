@@ -1,11 +1,11 @@
-//! Wrappers around links forward everything, in whichever order they are nested.
+//! Wrappers around links forward everything, in any order of nesting.
 
 use kerchief::link::{Family, Links, Visitor};
 use kerchief::{Cloth, Damped, Node, Q24, Scalar, Scene, Shear, StrainLimited, Stretch, Units, Vec3, Verlet};
 
 const UNITS: Units = Units::sheet([5, 4], [0.4, 0.3], 1e-3, 0.02, 4);
 
-/// How many families are shown.
+/// Counts the families that are shown.
 struct Shown(usize);
 
 impl<S: Scalar> Visitor<S> for Shown {
@@ -26,7 +26,7 @@ fn limited<S: Scalar, L>(links: L) -> StrainLimited<L, S> {
     StrainLimited::new(links, 0.1)
 }
 
-/// Families of springs, of dampers, and the longest edge (cells) after a frame that starts with a corner three cells away.
+/// The number of spring families, of damper families, and the longest edge (cells) after a frame that starts with a corner moved by three cells.
 fn found<S: Scalar, L: Links<S>>(links: L) -> (usize, usize, f64) {
     let (mut shown, mut dampers) = (Shown(0), Shown(0));
     links.springs(&mut shown);
@@ -42,7 +42,7 @@ fn found<S: Scalar, L: Links<S>>(links: L) -> (usize, usize, f64) {
 
 fn check<S: Scalar>() {
     let (_, _, free) = found::<S, _>(springs::<S>());
-    assert!(free > 1.5, "in {} the corner comes back by itself: {free}", S::NAME);
+    assert!(free > 1.5, "in {} the corner comes back without a limit: {free}", S::NAME);
     let nested = [
         ("a damped limit", found::<S, _>(damped::<S, _>(limited::<S, _>(springs::<S>()))), 3),
         ("a limit on damped links", found::<S, _>(limited::<S, _>(damped::<S, _>(springs::<S>()))), 3),

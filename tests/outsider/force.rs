@@ -29,7 +29,7 @@ impl<S: Scalar> Force<S> for Trap<S> {
     }
 }
 
-/// Particles without links are independent oscillators: mirrored at the origin after half a period, back after a whole one.
+/// Particles without links are independent oscillators: after half a period they are mirrored at the origin, after a whole one they are back.
 fn particles_return_after_a_period<S: Scalar>(bound: f64) {
     const FRAMES: u32 = 40;
     let units = Units::sheet([4, 3], [0.3, 0.2], 1e-3, 0.01, 8);
@@ -58,7 +58,7 @@ fn a_force_of_ones_own_has_its_period() {
     particles_return_after_a_period::<Q24>(1e-5);
 }
 
-/// The crate's own forces, told apart: each of these has one method of theirs and says nothing of itself.
+/// The crate's own forces, wrapped: each of these forwards the one method with which it acts, and leaves the others at their defaults.
 struct Weight(Gravity<f64>);
 struct Brake(Drag<f64>);
 struct Cells(FacetWind<f64>);
@@ -81,7 +81,7 @@ impl Force<f64> for Cells {
     }
 }
 
-/// A sheet after a second.
+/// The digest of a sheet after a second.
 fn end<V: Solver<f64>>(forces: impl Force<f64>, solver: V) -> u32 {
     let units = Units::sheet([5, 4], [0.4, 0.3], 1e-3, 0.02, 16);
     let mut cloth = Cloth::<f64, 5, 4>::lay(&units, units.point([0.0; 3]));
@@ -93,7 +93,7 @@ fn end<V: Solver<f64>>(forces: impl Force<f64>, solver: V) -> u32 {
     measure::digest(&cloth)
 }
 
-/// What a force implements acts, by every solver, whether or not it says so.
+/// Every solver applies every method that a force implements, even if the force does not describe itself.
 #[test]
 fn a_force_that_says_nothing_of_itself_acts() {
     fn check<V: Solver<f64> + Copy>(solver: V) {

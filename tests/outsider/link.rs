@@ -1,4 +1,4 @@
-//! An outsider's family of links: springs and dampers to where a chess knight goes.
+//! An outsider's family of links: springs and dampers along the moves of a chess knight.
 
 use kerchief::link::{Directions, Family, Links, Quotient, Undamped, Visitor, WithDampers};
 use kerchief::scalar::Rest;
@@ -46,7 +46,7 @@ fn units() -> Units {
     Units::sheet([6, 5], [0.5, 0.3], 1e-3, 0.01, 32)
 }
 
-/// A sheet that is pulled out of shape and moves.
+/// A deformed sheet in motion.
 fn disturbed(units: &Units) -> Sheet {
     let mut cloth = Sheet::lay(units, units.point([0.0; 3]));
     for (k, node) in Grid::<f64, 6, 5>::nodes().enumerate() {
@@ -66,7 +66,7 @@ fn angular_momentum(cloth: &Sheet) -> Vec3<f64> {
     pairs.fold(Vec3::ZERO, |sum, (x, v)| sum + x.cross(v))
 }
 
-/// Energies after each of a hundred frames, the state before and after.
+/// The energies at the start and after each of a hundred frames, and the states before and after.
 fn play(stiffness: f64, damping: f64) -> (Vec<f64>, Sheet, Sheet) {
     let units = units();
     let start = disturbed(&units);
@@ -92,7 +92,7 @@ fn links_of_ones_own_keep_energy_and_both_momenta() {
     (0..3).for_each(|k| assert!((before[k] - after[k]).abs() < 1e-15, "momentum {before:?} became {after:?}"));
     let [before, after] = [start, end].map(|cloth| angular_momentum(&cloth));
     assert!((before - after).length() < 1e-11, "angular momentum {before:?} became {after:?}");
-    assert!((end.position.0[0].at(0) - start.position.0[0].at(0)).length() > 0.05, "the sheet moved");
+    assert!((end.position.0[0].at(0) - start.position.0[0].at(0)).length() > 0.05, "the sheet does not move");
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn dampers_of_ones_own_take_energy_and_keep_momentum() {
     let (energies, start, end) = play(20.0, 0.02);
     let units = units();
     assert!(energies.windows(2).all(|pair| pair[1] <= pair[0]), "{energies:?}");
-    // what remains is that of the sheet's drift and spin
+    // the remaining energy is that of the sheet's drift and spin
     assert!(energies[100] < 0.1 * energies[0], "{} of {}", energies[100], energies[0]);
     let [before, after] = [start, end].map(|cloth| measure::momentum(&cloth, &units));
     (0..3).for_each(|k| assert!((before[k] - after[k]).abs() < 1e-15, "momentum {before:?} became {after:?}"));
@@ -108,7 +108,7 @@ fn dampers_of_ones_own_take_energy_and_keep_momentum() {
     assert!(strain.largest < 1e-2, "{strain:?}");
 }
 
-/// Links that show more than their type says.
+/// Links that show more directions than their type declares.
 struct Modest<S: Scalar>(Knight<S>);
 
 impl<S: Scalar> Links<S> for Modest<S> {
@@ -120,7 +120,7 @@ impl<S: Scalar> Links<S> for Modest<S> {
     }
 }
 
-/// Links that show dampers and say that there are none.
+/// Links that show dampers, although their type declares none.
 struct Secret<S: Scalar>(Knight<S>);
 
 impl<S: Scalar> Links<S> for Secret<S> {

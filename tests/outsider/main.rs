@@ -1,5 +1,5 @@
-//! What is not in the crate can be added from outside: a force, a family of links, a collider, a solver, a measure. Each acts in a
-//! scene beside the crate's own, and a law says that it acts as it should. And a pointer drags what it shows.
+//! Extensions from outside the crate: a force, a family of links, a collider, a solver, a measure. Each acts in a
+//! scene beside the crate's own, and a law checks its effect. And a pointer drags the particle to which it points.
 
 mod collider;
 mod force;

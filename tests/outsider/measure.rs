@@ -15,12 +15,12 @@ fn centre<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, uni
     moment.map(|sum| sum / mass)
 }
 
-/// Whatever happens within a sheet, its centre of mass falls by ½·g·t².
+/// The centre of mass falls by ½·g·t², with any motion within the sheet.
 fn the_centre_falls_freely<S: Scalar>(bound: f64) {
     let units = Units::sheet([5, 4], [0.4, 0.3], 1e-3, 0.02, 8);
     let mut cloth = Cloth::<S, 5, 4>::lay(&units, units.point([0.0; 3]));
     cloth.share_area();
-    // pulled at two corners, so that waves run through it
+    // displaced at two corners, so that waves run through the sheet
     cloth.position.0[0].x[0] -= S::HALF;
     cloth.position.0[3].z[4] += S::HALF;
     let start = centre(&cloth, &units);
@@ -38,13 +38,13 @@ fn the_centre_falls_freely<S: Scalar>(bound: f64) {
             assert!(error < bound, "frame {frame} in {}: {error} m off", S::NAME);
         });
     }
-    assert!(measure::strain(&cloth, &scene.links.0).largest != stretched, "the sheet changed its shape");
+    assert!(measure::strain(&cloth, &scene.links.0).largest != stretched, "the sheet keeps its shape");
 }
 
 #[test]
 fn a_measure_of_ones_own_serves_every_number_type() {
     the_centre_falls_freely::<f64>(1e-14);
     the_centre_falls_freely::<f32>(1e-6);
-    // what a particle gains in a substep is 4.9e-3 cells per tick, rounded to 6e-6 of it, and the way is 0.8 m
+    // the velocity gained in a substep is 4.9e-3 cells per tick, rounded to 6e-6 of it, and the fall is 0.8 m
     the_centre_falls_freely::<Q24>(5e-6);
 }

@@ -1,4 +1,4 @@
-//! An outsider's pointer: it takes the particle under a pixel, drags it across the screen, and lets go.
+//! An outsider's pointer: it grabs the particle under a pixel, drags it across the screen, and drops it.
 
 use embedded_graphics::geometry::{Point, Size};
 use kerchief::render::{Camera, View};
@@ -12,7 +12,7 @@ fn drags_across_the_screen<S: Scalar>() {
     let mut cloth = Cloth::<S, 16, 16>::hang(&UNITS, UNITS.point([-0.15, 0.0, 0.3]));
     cloth.pin(Node::new(0, 0));
     cloth.pin(Node::new(15, 0));
-    // up to half a newton, twice the sheet's weight
+    // a force of up to half a newton, twice the sheet's weight
     let hand = Hand::new(&UNITS, UNITS.compliance(0.05), UNITS.damping(0.5), UNITS.length(0.025));
     let forces = (Gravity::new(UNITS.acceleration([0.0, 0.0, -9.81])), Drag::new(UNITS.drag(1.0)), hand);
     let links = (Stretch::new(&UNITS, UNITS.stiffness(200.0)), Shear::new(&UNITS, UNITS.stiffness(5.0)));
@@ -36,7 +36,7 @@ fn drags_across_the_screen<S: Scalar>() {
     }
     let seen = camera.project(cloth.position.at(node)).expect("in the picture");
     let off = seen - pointer;
-    assert!(off.x.abs() <= 5 && off.y.abs() <= 12, "the weight takes it {off} pixels down in {}", S::NAME);
+    assert!(off.x.abs() <= 5 && off.y.abs() <= 12, "the particle is {off} pixels from the pointer in {}", S::NAME);
     assert_eq!(scene.forces.2.drop(), Some(node));
     (0..30).for_each(|_| scene.step(&mut cloth, &mut memory));
     let fallen = camera.project(cloth.position.at(node)).expect("in the picture");

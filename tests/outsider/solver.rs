@@ -8,7 +8,7 @@ use kerchief::{
     Stretch, Units, Vec3, Vectors, Xpbd, measure,
 };
 
-/// Everything written by hand, or by the crate's own stages.
+/// The solver with all stages written by hand, or made of the crate's own stages.
 #[derive(Clone, Copy)]
 enum SemiImplicitEuler {
     ByHand,
@@ -16,7 +16,7 @@ enum SemiImplicitEuler {
 }
 
 impl<S: Scalar> Solver<S> for SemiImplicitEuler {
-    /// The velocities that particles of mass 1 gain.
+    /// The velocities that particles gain in a substep.
     type Memory<L: Links<S>, const W: usize, const H: usize> = Vectors<S, W, H>;
 
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {
@@ -45,7 +45,7 @@ impl<S: Scalar> Solver<S> for SemiImplicitEuler {
     }
 }
 
-/// What free particles gain from forces and springs.
+/// The velocities that free particles gain from forces and springs.
 fn gains<S: Scalar, F: Force<S>, L: Links<S>, C, const W: usize, const H: usize>(
     physics: Physics<'_, F, L, C>,
     particles: &Particles<S, W, H>,
@@ -104,7 +104,7 @@ fn gravity(units: &Units) -> Gravity<f64> {
     Gravity::new(units.acceleration([0.0, 0.0, -9.81]))
 }
 
-/// After n steps of free fall `x = −g·h²·n·(n+1)/2`.
+/// Semi-implicit Euler falls by `x = −g·h²·n·(n+1)/2` in n steps.
 #[test]
 fn a_solver_of_ones_own_falls_as_its_equation_says() {
     let units = units(4);
@@ -122,7 +122,7 @@ fn a_solver_of_ones_own_falls_as_its_equation_says() {
     }
 }
 
-/// Where the free corner of a sheet that hangs by another is after half a second, cells.
+/// The position after half a second of the corner opposite to the one from which a sheet hangs, cells.
 fn swing<V: Solver<f64>>(solver: V, substeps: u32) -> Vec3<f64> {
     let units = units(substeps);
     let mut cloth = Cloth::<f64, 5, 5>::lay(&units, units.point([0.0; 3]));
@@ -161,7 +161,7 @@ fn a_solver_of_ones_own_meets_colliders() {
             touched |= distance < 0.2 + 1e-9;
         }
     }
-    assert!(touched, "the sheet reached the ball");
+    assert!(touched, "the sheet does not reach the ball");
 }
 
 #[test]
@@ -170,7 +170,7 @@ fn stages_are_what_an_outsider_writes_by_hand() {
     assert!((stages - by_hand).length() < 1e-12, "{stages:?} {by_hand:?}");
 }
 
-/// XPBD by the crate's own stages, for a sheet without drag.
+/// XPBD made of the crate's own stages, for a sheet without drag.
 struct Projected;
 
 impl<S: Scalar> Solver<S> for Projected {

@@ -1,4 +1,4 @@
-//! The reference against the cases that mathematics solves, and these against each other.
+//! The reference against closed forms, and closed forms against each other.
 
 use super::acceleration;
 use rig::reference::closed_forms::*;
@@ -29,7 +29,7 @@ fn a_dropped_chain_comes_to_hang() {
     model.drag = 8.0;
     let heights = hanging_chain(&model.sheet.masses, 0.1, 50.0, G);
     assert_near(heights[1], -0.1 - 0.35 * G / 50.0, 1e-15);
-    assert!(heights[7] < -0.9, "the load stretches it well: {heights:?}");
+    assert!(heights[7] < -0.9, "the load hardly stretches it: {heights:?}");
     let mut state = model.start();
     model.ode().rk4(&mut state, 2e-3, 10_000);
     for (x, z) in state.position.iter().zip(&heights) {
@@ -53,7 +53,7 @@ fn a_chain_sags_between_its_pins() {
         let mut state = model.start();
         for (i, x) in state.position.iter_mut().enumerate() {
             let part = i as f64 / (n - 1) as f64;
-            // Bowed downwards, so that it doesn't have to fold out of a straight line first.
+            // Bowed downwards, so that the chain doesn't start as a folded straight line.
             *x = [0.0, part * span[0], part * span[1] - 0.3 * (part * core::f64::consts::PI).sin()];
         }
         model.ode().rk4(&mut state, 4e-3, 10_000);
@@ -123,7 +123,7 @@ fn a_hanging_chain_swings_with_laguerres_frequencies() {
         let largest = shape.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
         assert_near(shape[0], 0.0, 1e-10 * largest);
         assert_eq!(shape[n], 1.0);
-        // Hung at rest and displaced by the mode's shape, it must be back after whole periods.
+        // Displaced from rest by the mode's shape, the chain is back after two periods, and mirrored after one and a half.
         let displaced = |scale: f64| {
             let mut state = model.start();
             for i in 0..=n {
@@ -158,7 +158,7 @@ fn a_free_chain_vibrates_lengthwise() {
         let times = [0.3, 1.1];
         let solution = model.ode().solve(&start, &times, 1e-10);
         for (time, state) in times.into_iter().zip(&solution.states) {
-            // The relative velocity is damped as the relative displacement is held: by damping/stiffness of ω².
+            // Dampers act on relative velocities as springs do on displacements: a mode's damping rate is damping/stiffness·ω².
             let [q, rate] = damped_oscillation(omega_squared, damping / stiffness * omega_squared, time);
             for i in 0..n {
                 assert_near(state.position[i][1], rest * i as f64 + displacement(i, q), 1e-10);

@@ -1,4 +1,4 @@
-//! The order, the stability and the error estimate of the solution.
+//! Order, stability and error estimate of the reference solution.
 
 use super::{advanced, everything, isolated};
 use rig::reference::{BEND, Family, Model, Pose, SHEAR, STRETCH, Sheet, drag_of_verlet_damping, rms_distance};
@@ -18,7 +18,7 @@ fn halving_the_step_divides_the_error_by_sixteen() {
 
 #[test]
 fn the_stable_step_is_stable() {
-    // |R(s·h)| ≤ 1 on the half disc that `stable_step` relies on, R the Taylor polynomial of degree 4 of exp.
+    // |R(s·h)| ≤ 1 on the half disc on which `stable_step` relies. R is the Taylor polynomial of exp of degree 4.
     for i in 0..=180 {
         let angle = core::f64::consts::FRAC_PI_2 + core::f64::consts::PI * f64::from(i) / 180.0;
         for radius in [0.1, 0.5, 1.0, 1.5, 2.0, 2.3, 2.6] {
@@ -30,7 +30,7 @@ fn the_stable_step_is_stable() {
             assert!(re.hypot(im) <= 1.0 + 1e-12, "|R| = {} at {radius} and {angle} rad", re.hypot(im));
         }
     }
-    // A sheet at rest quivers for many steps of that length without growing, and not of twice that length.
+    // Small vibrations of a sheet at rest do not grow in many steps of that length, and grow in steps of twice that length.
     let mut model = isolated();
     model.sheet = Sheet::new(Pose::Lay, [8, 8], [1.0, 1.0]).with_mass(0.01);
     model.families = vec![Family::new(STRETCH, 100.0), Family::new(BEND, 10.0)];
@@ -62,14 +62,14 @@ fn a_solution_is_as_exact_as_it_says() {
         model.ode().rk4(&mut exact, (time - now) / 10_000.0, 10_000);
         now = time;
         let error = rms_distance(&exact.position, &state.position) / model.sheet.size();
-        assert!(error <= solution.difference / 8.0, "{error} at {time} s, {} was seen", solution.difference);
-        assert!(error <= 1.5 * solution.error(), "{error} at {time} s, {} was estimated", solution.error());
+        assert!(error <= solution.difference / 8.0, "{error} at {time} s, difference {}", solution.difference);
+        assert!(error <= 1.5 * solution.error(), "{error} at {time} s, estimate {}", solution.error());
     }
 }
 
 #[test]
 fn the_thesis_sheet_is_solved() {
-    // Its stiffest links and its damping, on two corners: 10 m of cloth swinging down for 2 s.
+    // Its stiffest links and its damping: 10 m of cloth on two corners swing down for 2 s.
     let n = 32;
     let sheet = Sheet::new(Pose::Lay, [n, n], [10.0, 10.0]).with_pins(&[(0, 0), (n - 1, 0)]);
     let families = vec![Family::new(STRETCH, 942_700.0), Family::new(SHEAR, 9427.0), Family::new(BEND, 942.7)];
@@ -79,7 +79,7 @@ fn the_thesis_sheet_is_solved() {
     let solution = model.solve(&[0.5, 1.0, 1.5, 2.0], 1e-7);
     assert!(solution.error() <= 1e-7);
     let lowest = solution.last().position.iter().fold(0.0, |z: f64, x| z.min(x[2]));
-    assert!((-14.5..-5.0).contains(&lowest), "the far edge swings down, to {lowest} m");
+    assert!((-14.5..-5.0).contains(&lowest), "the far edge must swing down, not to {lowest} m");
 }
 
 #[test]

@@ -21,7 +21,7 @@ fn density_spreads_the_mass_of_the_area() {
     let sheet = Sheet::new(Pose::Lay, [4, 3], [3.0, 4.0]).with_density(0.5);
     assert_near([sheet.masses.iter().sum(), 0.0, 0.0], [6.0, 0.0, 0.0], 1e-14);
     let share = |column, row| sheet.masses[sheet.index((column, row))];
-    // A cell of 2 m² weighs 1 kg: a corner has a quarter of it, an edge two, the inside four.
+    // A cell of 2 m² weighs 1 kg. A particle has a quarter of each cell around it.
     assert_eq!([share(0, 0), share(1, 0), share(3, 1), share(1, 1)], [0.25, 0.5, 0.5, 1.0]);
     let hemmed = sheet.clone().with_hem(2.0);
     assert_eq!(hemmed.masses, [[0.5, 1.0, 1.0, 0.5], [1.0, 1.0, 1.0, 1.0], [0.5, 1.0, 1.0, 0.5]].concat());
@@ -39,7 +39,7 @@ fn pins_are_where_they_are_named() {
 
 #[test]
 fn a_stretched_link_pulls_by_hand() {
-    // Two particles 3 m apart whose link of 2 m has k = 5 N/m: 5 N; they part with 4 m/s across it: 0.5·4 N.
+    // Two particles 3 m apart, with a link of 2 m and k = 5 N/m: 5 N. They part at 4 m/s across the link: 0.5·4 N.
     let mut model = Model::new(Sheet::new(Pose::Lay, [2, 1], [2.0, 0.0]));
     model.sheet.masses = vec![1.0, 4.0];
     model.families.push(Family::new(STRETCH, 5.0).damped(0.5));
@@ -51,7 +51,7 @@ fn a_stretched_link_pulls_by_hand() {
 
 #[test]
 fn every_family_has_its_links() {
-    // All distances doubled, a link of rest length L pulls with k·L: the corner of a 3×3 grid of cells 1×1.
+    // A 3×3 grid with cells of 1×1. With all distances doubled, a link of rest length L exerts a force of k·L.
     let pull = |offsets| {
         let mut model = Model::new(Sheet::new(Pose::Lay, [3, 3], [2.0, 2.0]));
         model.families.push(Family::new(offsets, 1.0));
@@ -60,7 +60,7 @@ fn every_family_has_its_links() {
         acceleration(&model, &state)
     };
     let close = |a: &[Vector], b: [[f64; 2]; 3]| {
-        // Corner (0, 0), the middle of the first row, and the particle at its end.
+        // The three particles of the first row.
         a.iter().zip(b).for_each(|(&a, [x, y])| assert_near(a, [x, y, 0.0], 1e-15));
     };
     close(&pull(STRETCH), [[1.0, 1.0], [0.0, 1.0], [-1.0, 1.0]]);
@@ -107,7 +107,7 @@ fn aerodynamic_wind_on_a_cell_by_hand() {
     for (a, expected) in a.iter().zip([1.2, 2.4, 2.4, 1.2]) {
         assert_near(*a, [0.0, 0.0, expected], 1e-14);
     }
-    // Faster than the wind by the same, it is held back by the same; a triangle counts its corners' mean.
+    // As much faster than the wind, it gets the opposite force. A triangle has the mean velocity of its corners.
     state.velocity.fill([0.0, 0.0, 5.0]);
     assert_near(acceleration(&model, &state)[1], [0.0, 0.0, -2.4], 1e-14);
     state.velocity = vec![[0.0, 0.0, 3.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.0, 0.0, 0.0]];

@@ -1,4 +1,4 @@
-//! What the equation of motion conserves, dissipates and mirrors.
+//! Conservation laws, dissipation and symmetry of the equation of motion.
 
 use super::{acceleration, advanced, assert_near, everything, isolated, stirred};
 use rig::reference::vector::{add, norm, scale, sub};
@@ -13,8 +13,8 @@ fn energy_stays_without_damping() {
     let energy = ode.energy(&start);
     let drift = |steps| (ode.energy(&advanced(&model, &start, 1.0, steps)) - energy).abs() / energy.abs();
     let drifts = [drift(8000), drift(16_000)];
-    assert!(drifts[1] < 1e-8, "energy changed by {drifts:?} of itself");
-    // What remains is the method's: of order 5, since RK4 damps an oscillation by (ω·h)⁶/144 a step.
+    assert!(drifts[1] < 1e-8, "relative changes of energy {drifts:?}");
+    // The remaining drift is that of RK4, of order 5: it damps an oscillation by (ω·h)⁶/144 a step.
     assert!((25.0..40.0).contains(&(drifts[0] / drifts[1])), "{drifts:?}");
 }
 
@@ -46,7 +46,7 @@ fn momentum_stays_without_outer_forces() {
     assert_near(ode.momentum(&end), ode.momentum(&start), 1e-13);
     assert_near(ode.angular_momentum(&end), ode.angular_momentum(&start), 1e-9);
 
-    // Link damping acts between pairs, but not along their line: it keeps momentum, not angular momentum.
+    // Link damping acts between pairs, but not along their line: it conserves momentum, not angular momentum.
     model.families[0].damping = 0.02;
     let ode = model.ode();
     let end = advanced(&model, &start, 1.0, 4000);
@@ -81,12 +81,12 @@ fn pins_hold_or_keep_the_velocity_they_were_given() {
     let end = advanced(&model, &start, 0.5, 1000);
     assert_eq!(end.position[0], start.position[0]);
     assert_near(end.position[5], add(start.position[5], scale(0.5, start.velocity[5])), 1e-11);
-    assert!(norm(sub(end.position[14], start.position[14])) > 0.01, "the rest moves");
+    assert!(norm(sub(end.position[14], start.position[14])) > 0.01, "free particles do not move");
 }
 
 #[test]
 fn a_mirrored_scene_has_the_mirrored_solution() {
-    // Left and right, without wind: its triangles cut every cell the same way and tell the sides apart.
+    // Left and right, without wind: its triangles cut every cell along the same diagonal, which breaks this symmetry.
     let model = Model { wind: None, gravity: [0.0, -3.0, -9.81], ..everything() };
     let end = advanced(&model, &model.start(), 0.8, 2000);
     for row in 0..5 {

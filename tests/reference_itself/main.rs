@@ -1,5 +1,5 @@
-//! The reference that every solver is tested against, tested itself: the forces of single cells worked out by
-//! hand, the laws its equation obeys, the convergence of its solution, and the closed forms.
+//! Tests of the reference against which every solver is tested: forces of single cells worked out by hand, the
+//! laws of its equation, the convergence of its solution, and the closed forms.
 
 mod closed_forms;
 mod convergence;
@@ -25,7 +25,7 @@ fn everything() -> Model {
     }
 }
 
-/// The same without pins or anything that takes or gives energy.
+/// The same sheet without pins, gravity, drag, wind and damping.
 fn isolated() -> Model {
     let mut model = Model { gravity: [0.0; 3], drag: 0.0, wind: None, ..everything() };
     model.sheet.pins.clear();

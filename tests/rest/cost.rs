@@ -1,4 +1,4 @@
-//! What a frame at rest costs: at most a hundredth of one in motion, however cheap that is.
+//! The cost of a frame at rest: at most a hundredth of the cheapest frame in motion.
 
 use kerchief::host::Counted;
 use kerchief::{Cloth, Gravity, Lines, Node, Resting, Scene, Shear, Solver, Stillness, Stretch, Units, measure};
@@ -6,7 +6,7 @@ use kerchief::{Cloth, Gravity, Lines, Node, Resting, Scene, Shear, Solver, Still
 const SIDE: usize = 16;
 /// One substep.
 const UNITS: Units = Units::sheet([SIDE, SIDE], [0.3, 0.3], 1e-4, 1.0 / 60.0, 1);
-/// One sweep, as long as no row is strained by more than it may be.
+/// One sweep in each substep, as long as every row is within the tolerance.
 const CHEAPEST: Lines = Lines::with_sweeps(1);
 /// Numbers of a sheet: two vectors and a mass for each particle.
 const NUMBERS: u64 = 7 * (SIDE * SIDE) as u64;
@@ -27,7 +27,7 @@ fn hanging<V: Solver<Counted>>(solver: V) -> (Hanging<V>, Sheet, V::Memory<Sprin
     (scene, cloth, memory)
 }
 
-/// Operations of what is done.
+/// The operations that `work` takes.
 fn operations(work: impl FnOnce()) -> u64 {
     Counted::reset();
     work();
@@ -54,10 +54,10 @@ fn a_frame_at_rest_costs_a_hundredth_of_the_cheapest_in_motion() {
     let mut frame = |cloth: &mut Sheet| operations(|| scene.step(cloth, &mut memory));
     for _ in 0..3 {
         let at_rest = frame(&mut cloth);
-        // gravity and springs are compared with what they were
+        // gravity and springs are compared with their earlier values
         assert!(at_rest >= 3 && 100 * at_rest <= in_motion, "{at_rest} operations at rest, {in_motion} in motion");
     }
-    // what may have been written to is looked at, once
+    // particles that may have been written to are compared, once
     let node = Node::new(3, 4);
     let same = cloth.position.at(node);
     cloth.position.set(node, same);

@@ -1,4 +1,4 @@
-//! A sheet that has settled is not computed, costs next to nothing, keeps its bits, and wakes on any change; one that moves slowly is not settled.
+//! A settled sheet is not computed: it costs next to nothing, keeps its bits, and wakes on any change. A sheet that moves slowly is not settled.
 
 mod cost;
 mod restored;
@@ -43,14 +43,14 @@ fn resting<V>(solver: V) -> Resting<V> {
     Resting::new(&UNITS, Stillness::DEFAULT, solver)
 }
 
-/// What a test does with a solver that holds the curtain.
+/// A test that runs with any solver that keeps the curtain stable.
 trait Trial {
     fn with<S: Scalar, V: Solver<S> + Copy>(&self, name: &str, solver: V)
     where
         V::Memory<Springs<S>, SIDE, SIDE>: Clone;
 }
 
-/// A trial of every solver in every number type. Forward Euler holds no sheet that drag alone damps.
+/// A trial of every solver in every number type, without forward Euler, which is unstable where drag alone damps springs.
 fn every_solver(trial: &impl Trial) {
     fn every<S: Scalar>(trial: &impl Trial) {
         trial.with::<S, _>("lines", Lines::default());
@@ -65,7 +65,7 @@ fn every_solver(trial: &impl Trial) {
     every::<Q13>(trial);
 }
 
-/// The frames that a sheet takes to come to rest, at most `most`.
+/// The number of frames until the sheet is at rest; `None` if that takes more than `most`.
 fn settle<S: Scalar, V: Solver<S>>(
     scene: &Described<S, Resting<V>>,
     cloth: &mut Sheet<S>,

@@ -1,4 +1,4 @@
-//! A sheet that is put in another's place is noticed as any change is; what is written over with itself is none.
+//! Replacing a sheet at rest by another one counts as a change. Overwriting it with its own values does not.
 
 use core::mem;
 
@@ -34,7 +34,7 @@ fn wakes(scene: &Curtain, cloth: &mut Sheet<Q24>, memory: &mut Remembered) -> bo
     alone.step_one(&mut twin, &mut Stateless::new());
     scene.step_one(cloth, memory);
     let after = measure::digest(cloth);
-    assert!(memory.is_at_rest() || after == measure::digest(&twin), "moved otherwise");
+    assert!(memory.is_at_rest() || after == measure::digest(&twin), "moved in another way than by the solver alone");
     assert!(!memory.is_at_rest() || after == before, "moved at rest");
     !memory.is_at_rest()
 }
@@ -53,7 +53,7 @@ fn sheets_that_change_places_wake() {
     let [mut a, mut b] = [at_rest(), tilted(at_rest())];
     mem::swap(&mut a.1, &mut b.1);
     assert!(wakes(&a.0, &mut a.1, &mut a.2) && wakes(&b.0, &mut b.1, &mut b.2));
-    // their particles alone
+    // swap the particles alone
     let [mut a, mut b] = [at_rest(), tilted(at_rest())];
     mem::swap(&mut *a.1, &mut *b.1);
     assert!(wakes(&a.0, &mut a.1, &mut a.2) && wakes(&b.0, &mut b.1, &mut b.2));
@@ -66,7 +66,7 @@ fn a_sheet_that_another_solver_moved_wakes() {
     other.forces.0 = Gravity::new(UNITS.acceleration([1.0, 0.0, DOWN[2]]));
     other.step_one(&mut cloth, &mut other.memory::<Q24, SIDE, SIDE>());
     assert!(wakes(&scene, &mut cloth, &mut memory));
-    // another one that rests, too
+    // another solver that comes to rest itself
     let (scene, mut cloth, mut memory) = at_rest();
     let (mut other, _) = curtain::<Q24, _>(resting(Lines::default()));
     other.forces.0 = Gravity::new(UNITS.acceleration([1.0, 0.0, DOWN[2]]));
@@ -79,14 +79,14 @@ fn what_is_as_it_was_sleeps_on() {
     let (scene, mut cloth, mut memory) = at_rest();
     let saved = cloth;
     let (node, pin) = (Node::new(3, 4), Node::new(0, 0));
-    // poked and put back before anybody looks
+    // poked, and restored before the next step
     cloth.velocity.set(node, Vec3::from_f64([0.0, 0.1, 0.0]));
     cloth = saved;
     assert!(!wakes(&scene, &mut cloth, &mut memory));
     cloth.velocity.set(node, Vec3::from_f64([0.0, 0.1, 0.0]));
     cloth.velocity.set(node, saved.velocity.at(node));
     assert!(!wakes(&scene, &mut cloth, &mut memory));
-    // set to what it is
+    // every value set to itself
     cloth.pin(pin);
     let place = cloth.position.at(pin);
     scene.move_pin(&mut cloth, pin, place);

@@ -1,4 +1,4 @@
-//! What moves slowly is not at rest.
+//! Slow motion is not rest.
 
 use kerchief::force::Force;
 use kerchief::{
@@ -19,7 +19,7 @@ fn springs<S: Scalar>() -> (Stretch<S>, Shear<S>) {
     (Stretch::new(&UNITS, UNITS.stiffness(50.0)), Shear::new(&UNITS, UNITS.stiffness(5.0)))
 }
 
-/// How far a sheet of no velocity falls in a minute, m.
+/// How far a sheet that starts without velocity falls in a minute, m.
 fn fallen<S: Scalar>(forces: impl Force<S>) -> f64 {
     let scene = Scene::new(&UNITS, forces, springs::<S>(), (), Resting::new(&UNITS, STILL, Xpbd));
     let mut cloth = Sheet::<S>::lay(&UNITS, UNITS.point([0.0; 3]));
@@ -28,7 +28,7 @@ fn fallen<S: Scalar>(forces: impl Force<S>) -> f64 {
     -measure::bounds(&cloth)[1].z.to_f64() * UNITS.cell
 }
 
-/// Sheets that drag lets sink at less than the speed that counts as still: their motion is steady, and goes somewhere.
+/// Sheets that sink steadily, limited by drag to less than the speed threshold of [`Stillness`]. They keep moving, so they are not at rest.
 fn creeping_goes_on<S: Scalar>(slowest: f64) {
     for speed in [0.98, 0.5, slowest] {
         let speed = speed * STILL.speed;
@@ -38,11 +38,11 @@ fn creeping_goes_on<S: Scalar>(slowest: f64) {
             assert!((sunk / expected - 1.0).abs() < 0.03, "{sunk} m instead of {expected} in {}", S::NAME);
         }
     }
-    // slower than a tenth of it is at rest, by definition
+    // slower than a tenth of the threshold is at rest, by definition
     assert!(fallen::<S>((gravity(3e-3), Drag::new(UNITS.drag(100.0)))) < 1e-3);
 }
 
-/// A ten-thousandth of a weight, which takes a second for the speed that counts as still, and drag that lets a sheet sink at little more than it.
+/// A fall that drag limits to little more than the speed threshold, and one with little more than the threshold of acceleration, a ten-thousandth of gravity.
 fn slow_falls_go_on<S: Scalar>() {
     let sunk = fallen::<S>((gravity(9.81), Drag::new(UNITS.drag(9.81 / (1.2 * STILL.speed)))));
     assert!((sunk / (60.0 * 1.2 * STILL.speed) - 1.0).abs() < 0.02, "{sunk} m in {}", S::NAME);
@@ -50,15 +50,15 @@ fn slow_falls_go_on<S: Scalar>() {
     // x = a/γ·(t − (1 − exp(−γt))/γ)
     let expected = accelerated / drag * (60.0 - (1.0 - (-drag * 60.0_f64).exp()) / drag);
     let found = fallen::<S>((gravity(accelerated), Drag::new(UNITS.drag(drag))));
-    // a substep's gain is seven units of the last place of q24
+    // the velocity gained in a substep is seven units of the last place of q24
     assert!((found / expected - 1.0).abs() < 0.08, "{found} m instead of {expected} in {}", S::NAME);
-    // what goes less far than speed · time / 10 is at rest, by definition; here a fall by two units
+    // a motion of less than speed · time / 10 is at rest, by definition; here the fall gains two units in a substep
     assert!(fallen::<S>(gravity(0.344 * STILL.acceleration)) < 1e-3);
 }
 
-/// Frames at rest in a minute of a swing of this amplitude (m): a sheet on one edge in so little weight that it takes `PERIOD` for it.
+/// Frames at rest in a minute of a swing with this amplitude (m). The sheet hangs from one edge, in gravity so weak that its period is `PERIOD`.
 fn frames_at_rest<S: Scalar>(amplitude: f64) -> u32 {
-    // a plate of length ℓ on an edge swings like a pendulum of length ⅔·ℓ
+    // a plate of length ℓ that hangs from an edge swings like a pendulum of length ⅔·ℓ
     const PERIOD: f64 = 6.0;
     let weight = (core::f64::consts::TAU / PERIOD).powi(2) * 0.2;
     let scene =
@@ -78,7 +78,7 @@ fn frames_at_rest<S: Scalar>(amplitude: f64) -> u32 {
     at_rest
 }
 
-/// At its turning points a swing has no speed, but the acceleration amplitude·ω².
+/// At its turning points a swing has zero speed, and the acceleration amplitude·ω².
 fn slow_swings_go_on<S: Scalar>() {
     // 4 mm at ω = 1.05/s: 4.2 mm/s, 4.4 mm/s²
     assert_eq!(frames_at_rest::<S>(4e-3), 0, "in {}", S::NAME);
@@ -86,7 +86,7 @@ fn slow_swings_go_on<S: Scalar>() {
     assert!(frames_at_rest::<S>(1e-4) > 1000, "in {}", S::NAME);
 }
 
-/// A pin that travels slower than anything that counts as still, and a ball as slow that comes to touch a sheet at rest.
+/// A pin that travels at a tenth of the speed threshold, and a ball as slow that comes to touch the sheet.
 fn slow_hands_are_followed<S: Scalar>() {
     let slow = 0.1 * STILL.speed;
     let ball = Sphere::new(UNITS.point([0.1, 0.061, -0.2]), UNITS.length(0.05), UNITS.length(0.01));
@@ -121,7 +121,7 @@ fn creeping() {
     creeping_goes_on::<f32>(0.15);
     creeping_goes_on::<f64>(0.15);
     creeping_goes_on::<Q24>(0.15);
-    // a thousandth of a cell in half a second
+    // q13's distance threshold: a thousandth of a cell in half a second
     creeping_goes_on::<Q13>(0.3);
 }
 

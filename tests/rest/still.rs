@@ -13,7 +13,7 @@ use crate::{DOWN, UNITS, curtain, resting};
 
 type Buffer = Framebuffer<Rgb565, RawU16, LittleEndian, 64, 64, { buffer_size::<Rgb565>(64, 64) }>;
 
-/// A display that counts what it is sent.
+/// A display that counts received pixels and transfers.
 #[derive(Default)]
 struct Counting {
     pixels: u64,
@@ -45,7 +45,7 @@ fn a_still_picture_sends_nothing() {
     let camera = Camera::new(&View::new(0.0, 0.0).at(middle, UNITS.length(0.5)), Size::new(64, 64));
     let mut canvas = Canvas::new(Buffer::new());
     let mut display = Counting::default();
-    // what every board's program does; returns whether it drew
+    // one frame as the programs for boards have it; returns whether it drew
     let mut frame = |scene: &_, display: &mut Counting| {
         let scene: &crate::Described<Q24, _> = scene;
         let before = memory.is_at_rest();
@@ -74,5 +74,5 @@ fn a_still_picture_sends_nothing() {
     (0..10).for_each(|_| {
         frame(&scene, &mut display);
     });
-    assert!(display.transfers > 5 && display.pixels > 500, "a sheet that was woken is not sent");
+    assert!(display.transfers > 5 && display.pixels > 500, "the sheet woke, and is not sent");
 }

@@ -1,4 +1,4 @@
-//! Damped sheets come to rest in every number type, however much its rounding makes them tremble.
+//! Damped sheets come to rest in every number type, although rounding makes them tremble.
 
 use kerchief::{
     Cloth, Drag, Gravity, Lines, Node, Q13, Q24, Resting, Scalar, Scene, Shear, Solver, Stillness, Stretch, Units,
@@ -13,7 +13,7 @@ const MINUTE: u32 = 3600;
 #[derive(Clone, Copy, Debug)]
 struct Damped {
     size: f64,
-    /// The stretch of a row under the sheet's own weight, as a part of its length.
+    /// The strain of a link that carries the weight of a whole column.
     strain: f64,
     substeps: u32,
     drag: f64,
@@ -26,7 +26,7 @@ enum Pins {
     Edge,
 }
 
-/// Sizes, stiffness, substeps and drags in all mixtures of which none looks like another.
+/// Scenes with mixed sizes, stiffness, substeps, drags and pins.
 fn scenes() -> impl Iterator<Item = Damped> {
     (0..20_usize).map(|k| Damped {
         size: [0.3, 0.6, 1.0, 1.7, 3.0][k % 5],
@@ -37,7 +37,7 @@ fn scenes() -> impl Iterator<Item = Damped> {
     })
 }
 
-/// The frame in which a pushed sheet comes to rest.
+/// The frame in which a pushed sheet comes to rest, if it does within a minute.
 fn frames<S: Scalar, V: Solver<S>>(scene: Damped, solver: V) -> Option<u32> {
     let Damped { size, strain, substeps, drag, pins } = scene;
     let mass = 0.2 * size * size / (SIDE * SIDE) as f64;

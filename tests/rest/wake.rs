@@ -1,13 +1,13 @@
-//! Whatever changes, the sheet goes on in the same frame, as if it had never rested.
+//! After any change a sheet at rest moves in the same frame, as if it had never rested.
 
 use kerchief::{Bend, Drag, FacetWind, Gravity, Node, Resting, Scalar, Shear, Solver, Sphere, Vec3, measure};
 
 use crate::{DOWN, Described, SIDE, Sheet, Springs, Trial, UNITS, curtain, every_solver, resting, settle};
 
-/// A change of the scene or the sheet, as it is made while they rest.
+/// A change of the scene or the sheet, made while the sheet rests.
 type Change<S, V> = (&'static str, fn(&mut Described<S, Resting<V>>, &mut Sheet<S>));
 
-/// In the middle of the sheet.
+/// A particle in the middle of the sheet.
 const NODE: Node = Node::new(3, 4);
 
 fn changes<S: Scalar, V: Solver<S>>() -> [Change<S, V>; 15] {
@@ -51,7 +51,7 @@ impl Trial for Wakes {
         for (what, change) in changes::<S, V>() {
             let (mut scene, mut cloth, mut memory) = (scene, cloth, memory.clone());
             change(&mut scene, &mut cloth);
-            // the same scene and sheet in the hands of the solver alone
+            // the same scene and sheet, moved by the solver without rest
             let (mut alone, _) = curtain::<S, _>(solver);
             (alone.forces, alone.links, alone.colliders) = (scene.forces, scene.links, scene.colliders);
             let (mut twin, mut twin_memory) = (cloth, memory.clone().solver().clone());
@@ -62,7 +62,7 @@ impl Trial for Wakes {
         }
         let (mut cloth, mut memory) = (cloth, memory.clone());
         scene.step_one(&mut cloth, &mut memory);
-        assert!(memory.is_at_rest(), "{name} in {}: it wakes from nothing", S::NAME);
+        assert!(memory.is_at_rest(), "{name} in {}: it wakes without a change", S::NAME);
         let same = Gravity::new(UNITS.acceleration(DOWN));
         let mut scene = scene;
         scene.forces.0 = same;

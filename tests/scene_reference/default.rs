@@ -1,11 +1,11 @@
-//! Whether the parser does without a key what the page says.
+//! Compares the parser's defaults with those on the page.
 
 use kerchief::host::{Description, Everything};
 
 use crate::file::Scene;
 use crate::page::{Row, quoted};
 
-/// What is not as the row says. `scene` has what its table requires.
+/// The deviations from the row's default. `scene` has the required keys of its table.
 pub(crate) fn complaints(scene: &Scene<'_>, row: &Row) -> Vec<String> {
     let path = scene.path(&row.key);
     let default = row.default.as_str();
@@ -44,7 +44,7 @@ pub(crate) fn complaints(scene: &Scene<'_>, row: &Row) -> Vec<String> {
     }
 }
 
-/// The scene with the key; where it is a table, with what that requires.
+/// The scene with the key, or, if the key is a table, with that table's required keys.
 pub(crate) fn given<'a>(scene: &Scene<'a>, row: &Row) -> Scene<'a> {
     match row.range.as_str() {
         "a table" => scene.table_within(&row.key),
@@ -78,7 +78,7 @@ fn meaning(scene: &Scene<'_>) -> Result<String, String> {
     scene.parse().map(|scene| format!("{scene:?}")).map_err(|error| error.to_string())
 }
 
-/// The first difference between both is that between nothing and something.
+/// Checks that the scenes first differ by an absent and a present value.
 pub(crate) fn off(without: &Scene<'_>, with: &Scene<'_>, path: &str) -> Vec<String> {
     let (without, with) = match (meaning(without), meaning(with)) {
         (Ok(without), Ok(with)) => (without, with),
@@ -90,7 +90,7 @@ pub(crate) fn off(without: &Scene<'_>, with: &Scene<'_>, path: &str) -> Vec<Stri
     if is_off { Vec::new() } else { vec![format!("{path} is not off where it is left out")] }
 }
 
-/// To say the default is to say nothing, and to say anything else is not.
+/// Checks that the default as an explicit value changes nothing, and that another value does.
 fn said(scene: &Scene<'_>, row: &Row, value: &str) -> Vec<String> {
     let path = scene.path(&row.key);
     let number = |text: &str| text.parse::<f64>().ok();
@@ -107,7 +107,7 @@ fn said(scene: &Scene<'_>, row: &Row, value: &str) -> Vec<String> {
     complaints
 }
 
-/// A sheet that falls and crumples on the ground.
+/// The digest of a sheet that has crumpled on the ground, with this further table.
 fn end(table: &str) -> u32 {
     let text = format!(
         "[cloth]\ncolumns = 8\nrows = 8\nwidth = 0.7\nheight = 0.7\nmass = 0.01\npose = \"hang\"\norigin = [0, 0, 0.75]\n\

@@ -1,10 +1,10 @@
-//! Scene files made of what the page says is required.
+//! Scene files made of the keys that the page calls required.
 
 use kerchief::host::{Description, SceneError};
 
 use crate::page::{Row, Section, quoted, rows};
 
-/// A value within the range of the `index`-th key of a table. Vectors differ from key to key, and grow.
+/// A value within the range of the `index`-th key of a table. Vectors differ from key to key, with increasing components.
 fn sample(row: &Row, index: usize) -> String {
     let names = quoted(&row.range, '"');
     match row.range.as_str() {
@@ -21,7 +21,7 @@ fn sample(row: &Row, index: usize) -> String {
     }
 }
 
-/// A file with what the page requires, and with the keys of one table given or left out.
+/// A file with the required keys, in which keys of one table can be given or left out.
 #[derive(Clone, Debug)]
 pub(crate) struct Scene<'a> {
     page: &'a [Section],
@@ -30,7 +30,7 @@ pub(crate) struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// With what the page requires of `table`.
+    /// A scene with the required keys of `table`.
     pub(crate) fn with(page: &'a [Section], table: &str) -> Self {
         let mut scene = Self { page, table: table.into(), keys: Vec::new() };
         for (index, row) in rows(page, table).iter().enumerate() {
@@ -43,7 +43,7 @@ impl<'a> Scene<'a> {
         scene
     }
 
-    /// With a key of the table, whose value may be a sample.
+    /// The scene with a key of the table. Without a `value` it gets a sample.
     pub(crate) fn key(mut self, key: &str, value: Option<&str>) -> Self {
         self.keys.retain(|(known, _)| known != key);
         let of_table = rows(self.page, &self.table);
@@ -54,7 +54,7 @@ impl<'a> Scene<'a> {
         self
     }
 
-    /// Without a key of the table.
+    /// The scene without a key of the table.
     pub(crate) fn without(mut self, key: &str) -> Self {
         self.keys.retain(|(known, _)| known != key);
         self
@@ -65,7 +65,7 @@ impl<'a> Scene<'a> {
         self.keys.iter().find(|(known, _)| known == key).map(|(_, value)| value.as_str())
     }
 
-    /// With what the page requires of a table within the table.
+    /// A scene with the required keys of the table that `key` names within this table.
     pub(crate) fn table_within(&self, key: &str) -> Self {
         Self::with(self.page, &format!("[{}]", self.path(key)))
     }
@@ -73,7 +73,7 @@ impl<'a> Scene<'a> {
     fn text(&self) -> String {
         match self.table.as_str() {
             "[cloth]" => self.body(),
-            // a key outside of tables stands before them
+            // keys outside of tables come before all tables
             "" => self.body() + &Self::with(self.page, "[cloth]").body(),
             _ => Self::with(self.page, "[cloth]").body() + &self.body(),
         }
@@ -88,7 +88,7 @@ impl<'a> Scene<'a> {
         Description::parse(&self.text())
     }
 
-    /// How errors name a key of the table.
+    /// The name of a key of the table in errors.
     pub(crate) fn path(&self, key: &str) -> String {
         match (self.table.strip_prefix("[["), self.table.trim_matches(['[', ']'])) {
             (Some(_), name) => format!("{name}[0].{key}"),

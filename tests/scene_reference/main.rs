@@ -12,7 +12,7 @@ mod range;
 
 const PAGE: &str = include_str!("../../docs/guide/scene-file.md");
 
-/// The keys that the parser takes in a table, which it lists where it meets another one.
+/// The keys that the parser knows in a table. It lists them when it finds an unknown key.
 fn known(scene: &Scene<'_>) -> Vec<String> {
     let error = scene.clone().key("no-such-key", Some("0")).parse().map(|_| ()).unwrap_err();
     if !error.key.ends_with("no-such-key") || !error.reason.starts_with("unknown key") {
@@ -23,7 +23,7 @@ fn known(scene: &Scene<'_>) -> Vec<String> {
     keys
 }
 
-/// All that is on the page and not in the parser, or the other way round.
+/// The differences between the page and the parser.
 fn complaints(text: &str) -> Vec<String> {
     let page = sections(text);
     let mut complaints = Vec::new();
@@ -55,7 +55,7 @@ fn complaints(text: &str) -> Vec<String> {
     complaints
 }
 
-/// Pairs of keys that the parser does not take together, and of which the page does not say so.
+/// The pairs of keys that the parser refuses together although the page does not exclude them.
 fn exclusions(scene: &Scene<'_>, rows: &[page::Row]) -> Vec<String> {
     let mut complaints = Vec::new();
     for (index, row) in rows.iter().enumerate() {
@@ -74,7 +74,7 @@ fn exclusions(scene: &Scene<'_>, rows: &[page::Row]) -> Vec<String> {
     complaints
 }
 
-/// The scene with what a key needs beside it, and without what it excludes.
+/// The scene with the keys that a key needs, and without those that it excludes.
 fn with_needs<'a>(scene: &Scene<'a>, row: &page::Row) -> Scene<'a> {
     let Some(other) = quoted(&row.default, '`').pop() else { return scene.clone() };
     if row.default.starts_with("off; with ") {
@@ -101,7 +101,7 @@ fn grids_are_listed() {
     assert_eq!(grids, SHAPES);
 }
 
-/// A table that is left out is off, or has the defaults of its keys.
+/// Without a table its feature is off, or its keys have their defaults.
 #[test]
 fn tables_that_are_left_out_are_off_or_defaults() {
     let page = sections(PAGE);
@@ -114,7 +114,7 @@ fn tables_that_are_left_out_are_off_or_defaults() {
     }
 }
 
-/// The page changed in one place is noticed, by a complaint that has these words.
+/// Every change of the page in one place causes a complaint with the given words.
 #[test]
 fn every_kind_of_mistake_is_noticed() {
     let mistakes = [

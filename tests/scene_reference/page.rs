@@ -1,6 +1,6 @@
-//! The tables of the page.
+//! Parses the tables of the page.
 
-/// A key, as the page has it.
+/// The row of a key on the page.
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
     pub(crate) key: String,
@@ -8,7 +8,7 @@ pub(crate) struct Row {
     pub(crate) default: String,
 }
 
-/// A heading with its rows: the tables that it names, `""` for none.
+/// A heading and its rows. `tables` are the names in the heading, or `""` if it has none.
 #[derive(Debug)]
 pub(crate) struct Section {
     pub(crate) tables: Vec<String>,
@@ -41,7 +41,7 @@ pub(crate) fn sections(page: &str) -> Vec<Section> {
     sections
 }
 
-/// All rows of a table, `[cloth]` or `[[sphere]]`, from every section that names it.
+/// The rows of a table such as `[cloth]` or `[[sphere]]`, from every section that names it.
 pub(crate) fn rows(sections: &[Section], table: &str) -> Vec<Row> {
     let of_table = sections.iter().filter(|section| section.tables.iter().any(|name| name == table));
     of_table.flat_map(|section| section.rows.clone()).collect()
@@ -55,7 +55,7 @@ pub(crate) fn tables(sections: &[Section]) -> Vec<String> {
     tables
 }
 
-/// What stands between pairs of `mark`.
+/// The parts of a text between pairs of `mark`.
 pub(crate) fn quoted(text: &str, mark: char) -> Vec<String> {
     text.split(mark).skip(1).step_by(2).map(str::to_owned).collect()
 }

@@ -1,19 +1,19 @@
-//! Whether the parser refuses what a range of the page excludes, and takes what it includes: at every bound.
+//! Compares the parser with every range on the page: it must accept values within each bound and refuse those beyond.
 
 use kerchief::host::{Everything, SHAPES};
 
 use crate::file::Scene;
 use crate::page::{Row, quoted};
 
-/// Values that must be taken and values that must be refused.
+/// Values that must be accepted, and values that must be refused.
 struct Probes {
     taken: Vec<String>,
     refused: Vec<String>,
 }
 
-/// Beyond every bound that a key has, and not infinite.
+/// A finite value beyond every bound of a key.
 const HUGE: &str = "1e300";
-/// The same near zero.
+/// A positive value nearer to zero than every bound.
 const TINY: &str = "1e-300";
 
 fn probes(scene: &Scene<'_>, row: &Row) -> Option<Probes> {
@@ -53,7 +53,7 @@ fn probes(scene: &Scene<'_>, row: &Row) -> Option<Probes> {
                 Some(", not below `low`") => refused.extend(other(scene, "low", |x| x - 1.0)),
                 _ => {}
             }
-            // nor the same
+            // nor the same vector
             if let [_, key] = &quoted(&row.range, '`')[..] {
                 refused.extend(other(scene, key, |x| x));
             }
@@ -78,14 +78,14 @@ fn named(names: &[String]) -> Vec<String> {
     names.iter().map(|name| format!("\"{name}\"")).collect()
 }
 
-/// The vector that `scene` has for another key, changed.
+/// The vector of another key in `scene`, with every component changed.
 fn other(scene: &Scene<'_>, key: &str, change: fn(f64) -> f64) -> Option<String> {
     let components = scene.value(key)?.trim_matches(['[', ']']).split(", ");
     let changed: Vec<_> = components.map(|x| change(x.parse().unwrap()).to_string()).collect();
     Some(format!("[{}]", changed.join(", ")))
 }
 
-/// What is not as the row says. `scene` has what the key needs beside it.
+/// The deviations from the row's range. `scene` has the keys that the row's key needs.
 pub(crate) fn complaints(scene: &Scene<'_>, row: &Row) -> Vec<String> {
     let path = scene.path(&row.key);
     match row.range.as_str() {
@@ -108,7 +108,7 @@ pub(crate) fn complaints(scene: &Scene<'_>, row: &Row) -> Vec<String> {
             Err(error) => complaints.push(format!("{path} = {value} is refused for another reason: {error}")),
         }
     }
-    // the parser says which names it knows
+    // the parser lists the names that it knows
     if quoted(&row.range, '"').iter().any(|name| !name.starts_with('#')) {
         let error = scene.clone().key(&row.key, Some("\"no-such-name\"")).parse().map(|_| ()).unwrap_err();
         let expected = error.reason.split_once("expected").map_or("", |(_, expected)| expected);
@@ -123,7 +123,7 @@ pub(crate) fn complaints(scene: &Scene<'_>, row: &Row) -> Vec<String> {
     complaints
 }
 
-/// Every pair of numbers up to 65 is taken or refused as [`SHAPES`] says, which the page lists.
+/// Every pair of numbers up to 65 must be accepted or refused according to [`SHAPES`], which the page lists.
 fn grids(scene: &Scene<'_>, key: &str, path: &str) -> Vec<String> {
     let mut complaints = Vec::new();
     for columns in 0..66 {
@@ -142,7 +142,7 @@ fn grids(scene: &Scene<'_>, key: &str, path: &str) -> Vec<String> {
     complaints
 }
 
-/// A cell of the scene's sheet is half a metre long; what a cell is, is known where the scene is set in motion.
+/// A cell of the scene's sheet is half a metre long. Its length is known only when the simulation is built.
 fn cells(scene: &Scene<'_>, key: &str, path: &str) -> Vec<String> {
     let expected = [("0.375", true), ("0.5", true), ("0.3749", false), ("0.5001", false), ("0", false), ("nan", false)];
     let wrong = expected.into_iter().filter(|(value, is_taken)| {

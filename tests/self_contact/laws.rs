@@ -1,4 +1,4 @@
-//! Laws of a sheet that meets itself.
+//! Laws of self-contact.
 
 use std::mem::size_of;
 
@@ -27,7 +27,7 @@ fn six_bytes_a_particle() {
     more::<Q13, 33, 17>();
 }
 
-/// A sheet that nowhere comes near itself has the bits that it has without contacts.
+/// A sheet that never comes near itself moves to the same bits as without self-contact.
 #[test]
 fn where_nothing_meets_no_bit_changes() {
     fn law<S: Scalar, V: Solver<S> + Copy>(solver: V, substeps: u32) {
@@ -54,7 +54,7 @@ fn where_nothing_meets_no_bit_changes() {
     law::<Q24, _>(Leapfrog, 64);
 }
 
-/// Two layers of a strip without links, thrown at each other.
+/// Throws two layers of particles without links at each other; `look` sees the start and every frame.
 fn thrown<S: Scalar, V: Solver<S>>(solver: V, friction: f64, mut look: impl FnMut(&Sheet<S, 8, 11>, &Cloth<S, 8, 11>)) {
     let sheet = sheet::<S, 8, 11>(8);
     let mut cloth = sheet.lay([0.0; 3]);
@@ -62,7 +62,7 @@ fn thrown<S: Scalar, V: Solver<S>>(solver: V, friction: f64, mut look: impl FnMu
     for row in 0..11 {
         for column in 0..8 {
             let node = Node::new(column, row);
-            // the rows from 6 on lie over the first, a little beside them
+            // the rows from 6 on lie above the first rows, shifted a little sideways
             let (x, y, z, up) = if row < 6 {
                 (0.01 * column as f64, 0.01 * row as f64, 0.0, 1.0)
             } else {
@@ -82,7 +82,7 @@ fn thrown<S: Scalar, V: Solver<S>>(solver: V, friction: f64, mut look: impl FnMu
         met = met.max(memory.contacts());
         look(&sheet, &cloth);
     }
-    assert!(met > 10, "{met} pairs met");
+    assert!(met > 10, "{met} pairs in contact");
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn layers_thrown_at_each_other_gain_no_energy() {
         let (mut first, mut last) = (None, 0.0);
         thrown(solver, friction, |sheet, cloth: &Cloth<S, 8, 11>| {
             let energy = measure::kinetic_energy(cloth, &sheet.units);
-            // the line solver's history holds a little back
+            // the line solver's velocity history may return a little energy
             assert!(energy <= before * 1.03, "{energy} J after {before} J in {}", S::NAME);
             assert!(energy <= *first.get_or_insert(energy), "{energy} J in {}", S::NAME);
             (before, last) = (energy, energy);
@@ -123,7 +123,7 @@ fn layers_thrown_at_each_other_gain_no_energy() {
     }
 }
 
-/// Particles stay apart: pins too, hems, oblong cells, chains, all solvers.
+/// No sheet intersects itself: with pins, hems, oblong cells, as a chain, by all solvers stable for any step.
 #[test]
 fn every_kind_of_sheet_keeps_apart() {
     fn drop<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(
@@ -155,7 +155,7 @@ fn every_kind_of_sheet_keeps_apart() {
             scene.step(&mut cloth, &mut memory);
             met = met.max(memory.contacts());
         }
-        assert!(met > 0, "nothing meets: {W} x {H} in {}", S::NAME);
+        assert!(met > 0, "no contact: {W} x {H} in {}", S::NAME);
         let intersections = measure::intersections(&cloth);
         assert_eq!(intersections, 0, "{W} x {H} in {}", S::NAME);
     }
@@ -169,7 +169,7 @@ fn every_kind_of_sheet_keeps_apart() {
     drop::<f32, _, 10, 10>([0.3, 0.3], 0.3 / 9.0, 1.0, Verlet { sweeps: 2 });
 }
 
-/// Where layers have been pushed through each other, they stay bounded and gain nothing.
+/// Sheets whose layers start pushed through each other stay bounded and slow.
 #[test]
 fn tangled_starts_stay_bounded() {
     fn law<S: Scalar, V: Solver<S>>(solver: V, seed: u64) -> f64 {
@@ -193,8 +193,8 @@ fn tangled_starts_stay_bounded() {
             assert!(measure::is_finite(&cloth) && far < 1.5, "{far} m in frame {frame}, in {}", S::NAME);
         }
         let speed = cloth.velocity.largest().to_f64() * sheet.units.cell / sheet.units.tick();
-        // a tangle of rows that pull at each other trembles on
-        assert!(speed < 2.0, "{speed} m/s are left in {}", S::NAME);
+        // a tangle whose rows act on each other goes on trembling
+        assert!(speed < 2.0, "{speed} m/s at the end in {}", S::NAME);
         speed
     }
     let mut mean = 0.0;
@@ -204,10 +204,10 @@ fn tangled_starts_stay_bounded() {
         mean += law::<f32, _>(Xpbd, seed) / 12.0;
         mean += law::<Q13, _>(Xpbd, seed) / 12.0;
     }
-    assert!(mean < 1.0, "{mean} m/s are left in the mean");
+    assert!(mean < 1.0, "{mean} m/s at the end on average");
 }
 
-/// `Resting` around it: a heap comes to rest, keeps its bits, and wakes when a pin moves.
+/// `Resting` around `SelfContact`: a heap comes to rest, keeps its bits, and wakes when a particle is pushed.
 #[test]
 fn a_heap_comes_to_rest() {
     fn law<S: Scalar>() {
@@ -228,7 +228,7 @@ fn a_heap_comes_to_rest() {
     law::<Q13>();
 }
 
-/// A sheet that falls in a heap never has more energy than before.
+/// A sheet that falls in a heap gains no energy.
 #[test]
 fn a_heap_gains_no_energy() {
     fn law<S: Scalar, V: Solver<S> + Copy>(solver: V) {
@@ -237,7 +237,7 @@ fn a_heap_gains_no_energy() {
         for frame in 0..200 {
             stage.step();
             let energy = stage.energy();
-            // 0.2 kg that fall by a metre: 2 J
+            // 0.2 kg that fall by a metre set 2 J free
             assert!(energy < least + 0.01, "{energy} J after {least} J in frame {frame}, in {}", S::NAME);
             least = least.min(energy);
         }

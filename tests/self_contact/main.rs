@@ -1,4 +1,4 @@
-//! A sheet meets itself: what it must never do, and what it does in scenes that fold, close, twist and drop it.
+//! Self-contact: its laws, and the intersections that remain in scenes that fold, close, twist and drop a sheet.
 
 mod laws;
 mod scenes;

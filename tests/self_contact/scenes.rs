@@ -1,4 +1,4 @@
-//! No edge of a sheet passes through a triangle of it but in twists by XPBD that are named, counted by a test that knows nothing of contacts.
+//! No edge of a sheet passes through one of its triangles, except in the named twists by XPBD. The count knows nothing of the contacts.
 
 use std::fmt::Write;
 use std::{env, fs};
@@ -7,14 +7,14 @@ use kerchief::{Lines, Q13, Q24, Scalar, Solver, Verlet, Xpbd, measure};
 
 use crate::stage::{Case, Stage, layered};
 
-/// What a run came to.
+/// The measurements of a run.
 #[derive(Clone, Copy, Debug, Default)]
 struct Outcome {
-    /// Pairs of an edge and a triangle, of all frames that were looked at.
+    /// Intersecting pairs of an edge and a triangle, summed over every fifth frame.
     intersections: u64,
-    /// The largest of a stretch link in motion, and in the last second.
+    /// The largest strain of a stretch link, before the last second and in it.
     strain: [f64; 2],
-    /// The least distance of particles that are no neighbours in the last frame, cells.
+    /// The least distance of particles that are not neighbours, in the last frame, cells.
     closest: f64,
 }
 
@@ -32,13 +32,13 @@ fn play<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(mut stage: Stag
     outcome
 }
 
-/// A solver in a number type, and what came of all cases.
+/// A solver in a number type, and its outcomes in all cases.
 struct Row {
     who: String,
     outcomes: Vec<Outcome>,
 }
 
-/// All cases by a solver, on a grid.
+/// Plays all cases by one solver on one grid.
 fn all<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
     name: &str,
     substeps: u32,
@@ -52,7 +52,7 @@ fn all<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
     }
 }
 
-/// In which of them an edge passes through a triangle.
+/// The cases in which an edge passes through a triangle.
 fn passing(rows: &[Row]) -> Vec<String> {
     let of = |row: &Row| {
         let cases = Case::ALL.into_iter().zip(row.outcomes.clone());
@@ -87,15 +87,16 @@ fn small_sheets_pass_through_themselves_in_one_known_case() {
         all::<Q24, _, 16, 16>("lines", 4, Lines::new(), 250),
         all::<f32, _, 16, 16>("xpbd", 8, Xpbd, 250),
         all::<Q13, _, 16, 16>("xpbd", 16, Xpbd, 250),
-        // odd sides, of which one is no multiple of a tile
+        // odd sides, which are no multiples of a tile's side
         all::<f32, _, 13, 21>("lines", 8, Lines::new(), 250),
         all::<f32, _, 16, 16>("verlet", 16, Verlet { sweeps: 2 }, 250),
     ];
-    // open: few substeps of XPBD strain a twisted sheet further than its mesh is tight
+    // open: in few substeps XPBD strains a twisted sheet beyond the bound up to which nothing passes its mesh
     assert_eq!(passing(&rows), ["Twist: xpbd, 8 substeps, `f32`, 16 × 16"]);
 }
 
-/// Ten seconds of larger sheets: the table of docs/self-contact.md, which `UPDATE_SELF_CONTACT=1 cargo test --release -p kerchief --test self_contact -- --ignored` writes.
+/// Ten seconds of larger sheets, for the table of docs/self-contact.md.
+/// `UPDATE_SELF_CONTACT=1 cargo test --release -p kerchief --test self_contact -- --ignored` writes it.
 #[test]
 #[ignore = "minutes"]
 fn larger_sheets_pass_through_themselves_in_one_known_case() {
@@ -114,15 +115,15 @@ fn larger_sheets_pass_through_themselves_in_one_known_case() {
         let page = [before, MARKS[0], &table(&rows), MARKS[1], after].concat();
         fs::write(PAGE, page).expect("the page can be written");
     }
-    // open: strained by 67 %, where a mesh is tight up to 41 %
+    // open: strained by 67 %; nothing passes a mesh that is strained by up to 41 %
     assert_eq!(passing(&rows), ["Twist: XPBD, 16 substeps, `f32`, 32 × 32"]);
 }
 
 const PAGE: &str = "docs/self-contact.md";
-/// Around its table.
+/// The lines around the table in [`PAGE`].
 const MARKS: [&str; 2] = ["<!-- intersections -->\n", "<!-- end of intersections -->\n"];
 
-/// Without contacts they do: the counter counts.
+/// Without contacts sheets pass through themselves, and are counted.
 #[test]
 fn without_contacts_they_do() {
     for case in [Case::Heap, Case::Twist] {

@@ -1,4 +1,4 @@
-//! Scenes in which a sheet of a metre meets itself.
+//! Scenes in which a sheet of a metre touches itself.
 
 use kerchief::scene::Only;
 use kerchief::{
@@ -15,20 +15,20 @@ const FRAME: f64 = 1.0 / 60.0;
 /// m
 const GROUND: f64 = -0.6;
 
-/// What is done to the sheet.
+/// A way to bring the sheet into contact with itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Case {
     /// Hung up, disturbed a little, and dropped on the ground.
     Heap,
     /// Dropped on a ball.
     Drape,
-    /// On a pole, in wind that turns and comes in gusts.
+    /// Pinned at a pole, in gusty wind that turns.
     Flag,
-    /// On pegs that come together in a zigzag until the curtain is 40 % as wide.
+    /// Pinned at pegs that move together in a zigzag until the curtain is 40 % as wide.
     Curtain,
-    /// Laid on the ground; one edge is carried over to the other in a bow and let go.
+    /// Laid on the ground. One edge is carried over to the other in an arc and let go.
     Fold,
-    /// Between two rods, of which the lower is turned by half a turn and comes nearer.
+    /// Pinned between two rods. The lower one makes half a turn and comes nearer.
     Twist,
 }
 
@@ -94,7 +94,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
         self.frame += 1;
     }
 
-    /// Lets pins and wind do what they do at a time.
+    /// Moves the pins and sets the wind for this time (s).
     fn direct(&mut self, time: f64) {
         let (cell, height) = (self.cell(), self.cell() * (H - 1) as f64);
         let at = |column: usize| -0.5 * SIZE + cell * column as f64;
@@ -153,19 +153,19 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
     }
 }
 
-/// Every third particle, and the last, but none beside it.
+/// Columns of the pegs: every third and the last one, but none next to the last.
 fn pegs<const W: usize>() -> impl Iterator<Item = usize> {
     (0..W).filter(|column| column % 3 == 0 && column + 2 < W || column + 1 == W)
 }
 
-/// A sheet one cell thick.
+/// Self-contact around `solver`, for a sheet as thick as a cell.
 pub(crate) fn layered<S: Scalar, V, const W: usize, const H: usize>(
     solver: V,
 ) -> impl FnOnce(&Sheet<S, W, H>) -> SelfContact<S, V> {
     move |sheet| sheet.self_contact(sheet.units.cell, 0.3, solver)
 }
 
-/// Numbers from −1 to 1 (G. Marsaglia, *Xorshift RNGs*, 2003).
+/// Pseudorandom numbers from −1 to 1 (G. Marsaglia, *Xorshift RNGs*, 2003).
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {

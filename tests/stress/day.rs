@@ -1,4 +1,4 @@
-//! A flag that blows for ten minutes; in the long version (`KERCHIEF_LONG=1`) for a day. Fixed point must neither overflow nor creep.
+//! A flag that blows for ten minutes, in the long version (`KERCHIEF_LONG=1`) for a day. Fixed point must neither overflow nor drift.
 
 use kerchief::Cloth;
 use kerchief::{
@@ -15,7 +15,7 @@ const SIDE: usize = 8;
 const SIZE: f64 = 0.3;
 const UNITS: Units = Units::sheet([SIDE, SIDE], [SIZE, SIZE], 3e-4, 1.0 / 60.0, 2);
 
-/// `expected` are the flag's bits after ten minutes.
+/// `expected` is the flag's digest after ten minutes.
 fn blow<S: Scalar>(expected: u32) {
     let mut cloth = Cloth::<S, SIDE, SIDE>::hang(&UNITS, UNITS.point([0.0, 0.0, 0.5 * SIZE]));
     (0..SIDE).for_each(|row| cloth.pin(Node::new(0, row)));
@@ -32,7 +32,7 @@ fn blow<S: Scalar>(expected: u32) {
     let scene = Scene::new(&UNITS, forces, links, (), Lines::default());
     let mut memory = scene.memory();
     let long = is_long();
-    // of the free edge's middle: height and distance from the pole, their means over a minute, m
+    // the middle of the free edge: its distance from the pole and its height, as means over each minute, m
     let (mut means, mut sum) = (Vec::new(), [0.0; 2]);
     for frame in 1..=if long { DAY } else { TEN_MINUTES } {
         scene.step(&mut cloth, &mut memory);
@@ -63,7 +63,7 @@ fn blow<S: Scalar>(expected: u32) {
         let creep = (0..2).map(|k| (mean[k] - first[k]).abs()).fold(0.0, f64::max);
         assert!(
             creep < 0.05 * SIZE,
-            "{}: the mean place of minute {minute} is {creep} m from that of the first",
+            "{}: the mean position in minute {minute} is {creep} m from that in minute 1",
             S::NAME
         );
     }

@@ -1,4 +1,4 @@
-//! Super-elasticity: by how much more a sheet of the thesis stretches in motion than its springs give by themselves.
+//! Super-elasticity: the strain of the thesis' sheets in motion, beyond the strain of their springs in the exact solution.
 
 use kerchief::host::Counted;
 use kerchief::{
@@ -10,7 +10,7 @@ use crate::is_long;
 
 const SIDE: usize = 32;
 const FRAME: f64 = 0.1;
-/// Frames until the sheets hang.
+/// Frames until the sheets hang down.
 const FRAMES: u32 = 50;
 
 /// A scene of the thesis.
@@ -22,7 +22,7 @@ enum Thesis {
     NoShear,
 }
 
-/// What a sheet did.
+/// The measurements of a run.
 #[derive(Clone, Copy, Debug)]
 struct Motion {
     /// The largest strain of a stretch link at the end of any frame.
@@ -78,12 +78,12 @@ impl Thesis {
     }
 }
 
-/// What a scene has to reach.
+/// The bounds for a scene.
 struct Goal {
     scene: Thesis,
-    /// What the springs themselves give: the strain by leapfrog with 2048 substeps, which the long version (`KERCHIEF_LONG=1`) measures.
+    /// The strain of the springs in the exact solution: by leapfrog with 2048 substeps, which the long version (`KERCHIEF_LONG=1`) measures.
     springs: f64,
-    /// Substeps, the tolerance and the limit on strains with which the line solver adds a tenth at most, and what they cost in frames of the thesis' method
+    /// Substeps, tolerance and strain limit with which the line solver adds a strain of at most 0.1, and their cost in frames of the thesis' method
     /// with its 15 sweeps.
     substeps: u32,
     tolerance: f64,
@@ -91,7 +91,7 @@ struct Goal {
     cost: f64,
 }
 
-/// One sweep in a substep where a tolerance is 1.
+/// With a tolerance of 1 every substep has one sweep.
 const GOALS: [Goal; 4] = [
     Goal { scene: Thesis::Gravity, springs: 0.2537, substeps: 5, tolerance: 1.0, limit: Some(0.34), cost: 0.8 },
     Goal { scene: Thesis::Sphere, springs: 0.1459, substeps: 5, tolerance: 1.0, limit: Some(0.24), cost: 0.8 },
@@ -115,7 +115,7 @@ fn the_thesis_scenes_are_not_super_elastic() {
             let exact = scene.play::<f64, _>(Leapfrog, 2048, None);
             assert!((exact.strain - springs).abs() < 5e-4, "{scene:?} by leapfrog: {exact:?}");
             let fine = scene.play::<f32, _>(lines, 64, None);
-            // the most strain of the sheet that falls on the ball is that of a moment of its impact
+            // the sheet that falls on the ball has its largest strain for a moment during the impact
             let near = if matches!(scene, Thesis::Sphere) { 0.01 } else { 5e-4 };
             assert!((fine.strain - springs).abs() < near, "{scene:?} with 64 substeps: {fine:?}");
         }

@@ -1,5 +1,5 @@
-//! Particles and colliders at opposite ends of the range of fixed point: differences of their places wrapped, and a sheet that rose to more than 128 cells above the ground
-//! was thrown to the ground's other side.
+//! Particles and colliders at opposite ends of the range of fixed point. Differences of their positions once wrapped: a sheet that rose to more than 128 cells above the
+//! ground was thrown to the ground's other side.
 
 use kerchief::{Capsule, Collider, Moment, Plane, Q13, Q24, Scalar, Sphere, Units, Vec3};
 use proptest::prelude::*;
@@ -16,16 +16,16 @@ fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     core::array::from_fn(|axis| a[axis] - b[axis])
 }
 
-/// Compares a collider with how deep the particle is in it.
+/// Compares a collider's contact with the exact penetration `depth`.
 fn meets<S: Scalar>(collider: &impl Collider<S>, place: [f64; 3], depth: f64) -> Result<(), TestCaseError> {
     let place = Vec3::from_f64(place);
     match collider.contact(FRAME, place, Vec3::ZERO) {
         Some(contact) => {
             let found = contact.depth.to_f64();
-            prop_assert!((found - depth.min(S::LARGEST)).abs() < 1e-4, "{found} in {}: {depth}", S::NAME);
-            prop_assert!(collider.reaches(FRAME, place, place), "{depth} deep in {}, and passed over", S::NAME);
+            prop_assert!((found - depth.min(S::LARGEST)).abs() < 1e-4, "depth {found}, not {depth} in {}", S::NAME);
+            prop_assert!(collider.reaches(FRAME, place, place), "{depth} deep in {}, but `reaches` says no", S::NAME);
         }
-        None => prop_assert!(depth < 1e-4, "{depth} deep in {}, and not met", S::NAME),
+        None => prop_assert!(depth < 1e-4, "{depth} deep in {}, but no contact", S::NAME),
     }
     Ok(())
 }

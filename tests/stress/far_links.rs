@@ -1,5 +1,5 @@
-//! A plane far in front of a sheet's pins, which tears its links: `Q13` took one in a hundred of those for links near their rest length, with directions of any
-//! length, and threw the sheet about by more than it was torn, out of the range of fixed point at last.
+//! A plane far in front of a sheet's pins, which overstretches the links between them. `Q13` once took one in a hundred of such links for links near their rest length. Their
+//! directions then had any length: corrections exceeded the elongations, and at last moved the sheet out of the range of fixed point.
 
 use kerchief::collider::Plane;
 use kerchief::measure::strain;

@@ -1,5 +1,5 @@
-//! Facet wind grows with a triangle's area and does not weaken with its velocity: in long steps it threw a sheet further than its links brought it back, which
-//! stretched it and made the wind stronger, until numbers ran out. The long version adds the larger grids of fixed point.
+//! The force of facet wind grows with a triangle's area and does not weaken with its velocity. In long steps it once threw a sheet further than its links brought it back, which
+//! stretched the sheet and made the wind stronger, until numbers overflowed. The long version adds larger grids.
 
 use core::cmp::Ordering;
 
@@ -12,7 +12,7 @@ const SIZE: f64 = CLOTH.size;
 /// Frames of a run.
 const FRAMES: u32 = 30;
 
-/// How far a sheet on its upper edge reaches at the end of a frame, m.
+/// The largest coordinate of a sheet pinned at its upper edge, m.
 fn reach<S: Scalar, V: Solver<S>, const N: usize>(solver: V, speed: f64, step: f64) -> f64 {
     // 0.1 kg/m²
     let mass = 0.1 / ((N - 1) * (N - 1)) as f64;
@@ -38,7 +38,7 @@ fn every_solver<S: Scalar, const N: usize>(failures: &mut Vec<String>) {
                 ("lines", reach::<S, _, N>(Lines::default(), speed, step)),
                 ("backward Euler", reach::<S, _, N>(BackwardEuler { newton_steps: 2 }, speed, step)),
             ];
-            // as far as the wind goes, three times; what is undefined is further
+            // three times as far as the wind goes; an undefined reach fails too
             let most = 3.0 * (SIZE + speed * step * f64::from(FRAMES));
             for (name, reach) in reaches {
                 if reach.partial_cmp(&most) != Some(Ordering::Less) {

@@ -1,4 +1,4 @@
-//! Pins, balls, wind and weight as nobody should move them.
+//! Abuse by pins, balls, wind and gravity.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use kerchief::{
 use crate::ordeal::{Ordeal, all};
 use crate::stage::{CLOTH, DOWN, Sheet, Stage, corners};
 
-/// Both pins shaken to and fro by 20 % of the size, with this frequency, 1/s.
+/// Both pins are shaken to and fro by 20 % of the sheet's size, with this frequency, 1/s.
 struct Shaken(f64);
 
 impl Ordeal for Shaken {
@@ -40,7 +40,7 @@ fn pins_are_shaken() {
     }
 }
 
-/// A ball of a fifth of the size, fired through the middle of the sheet with this speed, m/s.
+/// A ball with a radius of a fifth of the size is fired through the middle of the sheet at this speed, m/s.
 struct Fired(f64);
 
 impl Ordeal for Fired {
@@ -56,7 +56,7 @@ impl Ordeal for Fired {
         stage.scene.colliders = ball.with_velocity(units.velocity([0.0, self.0, 0.0])).with_friction(0.5);
     }
     fn disturb<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(&self, stage: &mut Stage<S, V, W, H>, _: u32) {
-        // through: it stops where nothing of it is left to be met
+        // once it has passed through, it stops out of reach of the sheet
         let units = stage.units;
         if stage.scene.colliders.centre.y.to_f64() * units.cell > 2.0 {
             stage.scene.colliders.turn(units.velocity([0.0; 3]));
@@ -67,7 +67,7 @@ impl Ordeal for Fired {
         let nowhere = Sphere::new(units.point([0.0, 2.5, 0.0]), units.length(0.01), units.length(0.0));
         stage.scene.colliders = nowhere.with_velocity(units.velocity([0.0; 3]));
     }
-    // a corner that it pushed through its neighbours stays there
+    // a corner that the ball pushed through its neighbours stays there
     fn left(&self) -> f64 {
         0.6
     }
@@ -80,7 +80,7 @@ fn a_ball_is_fired_through() {
     }
 }
 
-/// A storm of 100 m/s for two seconds from everywhere.
+/// A storm of 100 m/s whose direction turns, for two seconds.
 struct Storm {
     aerodynamic: bool,
 }
@@ -117,7 +117,7 @@ fn a_storm_blows() {
     all("aerodynamic wind of 100 m/s", &Storm { aerodynamic: true });
 }
 
-/// Weight that has another direction and strength, up to four times its own, in every frame.
+/// Gravity of a random direction in every frame, with components of up to four times 9.81 m/s².
 struct Tumbled;
 
 impl Ordeal for Tumbled {
@@ -135,10 +135,10 @@ impl Ordeal for Tumbled {
 
 #[test]
 fn weight_switches_in_every_frame() {
-    all("weight at random", &Tumbled);
+    all("gravity at random", &Tumbled);
 }
 
-/// Two corners pulled apart to twice the sheet's width, and let together again.
+/// Two corners are pulled apart to twice the sheet's width, and brought together again.
 struct Torn;
 
 impl Ordeal for Torn {
@@ -168,7 +168,7 @@ fn corners_are_pulled_apart() {
     all("corners pulled apart", &Torn);
 }
 
-/// Whatever the step, wind gives a sheet that nothing holds no more than its own velocity, and at last nearly that.
+/// In any step, wind accelerates a free sheet to at most 1.2 times its own velocity, and to more than half of it in the end.
 fn no_faster_than_the_wind<S: Scalar, V: Solver<S> + Copy>(name: &str, solver: V) {
     for (frame, substeps) in [(1e-3, 1), (1.0 / 60.0, 8), (1.0 / 60.0, 1), (0.2, 8)] {
         let sheet = Sheet { frame, substeps, drag: 0.0, stretch: 100.0, shear: 10.0, bend: 1.0, ..CLOTH };
@@ -178,7 +178,7 @@ fn no_faster_than_the_wind<S: Scalar, V: Solver<S> + Copy>(name: &str, solver: V
         stage.gravity([0.0; 3]);
         stage.scene.forces.3 = Some(AerodynamicWind::new(wind));
         let mut fastest = 0.0_f64;
-        // q24 reaches 18 m
+        // the range of q24 is 18 m
         for _ in 0..(0.35 / frame).ceil() as u32 {
             stage.step();
             fastest = fastest.max(stage.speed());

@@ -1,11 +1,11 @@
-//! Sheets with heavy borders, in steps in which they fall by cells. What links pull them back with, counted in displacements of ordinary particles, was more than fixed
-//! point holds: it came back from the other end of the range and threw the sheet out of it.
+//! Sheets with heavy borders, in steps in which they fall by cells. The multipliers of their links, in displacements of a particle of mass 1, once exceeded the range of
+//! fixed point: they wrapped and threw the sheet out of the range of positions.
 
 use kerchief::{Lines, Q13, Q24, Scalar};
 
 use crate::stage::{CLOTH, Sheet, Stage};
 
-/// The largest strain in 40 s by the line solver, of a sheet whose border is so many times as heavy as what is inside.
+/// The largest strain in 40 s by the line solver, of a sheet whose border particles are `border` times as heavy as its inner ones.
 fn largest_strain<S: Scalar>(border: f64) -> f64 {
     let sheet = Sheet { mass: 0.2 / 64.0, frame: 0.2, substeps: 1, drag: 0.1, ..CLOTH };
     let mut stage = Stage::<S, Lines, 8, 8>::new(&sheet, Lines::new());
@@ -25,7 +25,7 @@ fn heavy_borders_are_held_by_fixed_point_as_by_floats() {
     for border in [10.0, 40.0, 80.0] {
         let exact = largest_strain::<f64>(border);
         for (name, strain) in [("q24", largest_strain::<Q24>(border)), ("q13", largest_strain::<Q13>(border))] {
-            assert!(strain < 2.0 * exact, "{strain} in {name}, {exact} in f64: a border of {border} masses");
+            assert!(strain < 2.0 * exact, "a strain of {strain} in {name}, {exact} in f64, border {border}");
         }
     }
 }

@@ -1,9 +1,9 @@
-//! A strain limit between heavy particles far apart: over their inverse masses the way back was more than fixed point holds, which moved them aside and sent a torn chain
-//! flying.
+//! A strain limit between heavy particles far apart. The correction divided by their inverse masses once saturated in fixed point, which moved them sideways and sent an
+//! overstretched chain flying.
 
 use kerchief::{Cloth, Node, Q13, Q24, Scalar, Scene, StrainLimited, Stretch, Units, Vec3, Verlet};
 
-/// A link of two particles of these inverse masses, stretched from the origin to `end` (cells), after the limit has shortened it.
+/// The ends of a link between particles of these inverse masses, after the limit has shortened it. Before, it reaches from the origin to `end` (cells).
 fn shortened<S: Scalar>(inverse_masses: [f64; 2], end: [f64; 3]) -> [[f64; 3]; 2] {
     let units = Units::sheet([2, 1], [0.1, 0.0], 1e-3, 0.01, 1);
     let mut cloth = Cloth::<S, 2, 1>::lay(&units, units.point([0.0; 3]));
@@ -11,14 +11,14 @@ fn shortened<S: Scalar>(inverse_masses: [f64; 2], end: [f64; 3]) -> [[f64; 3]; 2
         cloth.inverse_mass[Node::new(column, 0)] = S::from_f64(inverse_mass);
     }
     cloth.position.set(Node::new(1, 0), Vec3::from_f64(end));
-    // springs that don't matter
+    // springs without stiffness: only the limit acts
     let links = StrainLimited::new(Stretch::new(&units, units.stiffness(0.0)), 1.0);
     let scene = Scene::new(&units, (), links, (), Verlet { sweeps: 1 });
     scene.step(&mut cloth, &mut scene.memory());
     [0, 1].map(|column| cloth.position.at(Node::new(column, 0)).to_f64())
 }
 
-/// Twice the rest length, less a thousandth, along the link; nearer to the heavier particle's place in proportion to the masses.
+/// A link is shortened along itself to twice its rest length, less 1/1024. Its ends move in proportion to their inverse masses.
 #[test]
 fn limits_shorten_links_of_any_masses_along_themselves() {
     fn check<S: Scalar>(bound: f64) {

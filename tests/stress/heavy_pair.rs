@@ -1,9 +1,9 @@
-//! A link between two heavy particles. What a spring does to a particle of mass 1 there is more than its whole elongation, which fixed point did not hold: it
-//! pulled the wrong way.
+//! A link between two heavy particles. Its multiplier, the displacement of a particle of mass 1, is larger than its whole elongation. Fixed point once could not represent
+//! it, and the correction had the wrong direction.
 
 use kerchief::{Cloth, Node, Q13, Q24, Scalar, Scene, Solver, Stretch, Units, Verlet, Xpbd, measure};
 
-/// A rigid link, 6 % too long or too short, between particles of so many masses.
+/// The strain that a substep leaves of a rigid link with `strain`, between particles of mass `heavy`.
 fn straightened<S: Scalar, V: Solver<S>>(heavy: f64, strain: f64, solver: V) -> f64 {
     let units = Units::sheet([2, 1], [1.0, 0.0], 1.0, 0.1, 1);
     let mut cloth = Cloth::<S, 2, 1>::lay(&units, units.point([0.0; 3]));
@@ -22,9 +22,9 @@ fn heavy_pairs_are_pulled_the_right_way() {
         for heavy in [1.0, 2.0, 3.0, 10.0, 30.0, 60.0] {
             for strain in [-0.5, -0.06, 0.05, 0.3] {
                 let left = straightened::<S, _>(heavy, strain, Xpbd);
-                assert!(left < 1e-3, "{heavy} masses, {strain} in {}: {left}", S::NAME);
+                assert!(left < 1e-3, "mass {heavy}, strain {strain} in {}: {left}", S::NAME);
                 let left = straightened::<S, _>(heavy, strain, Verlet { sweeps: 3 });
-                assert!(left < 0.2 * strain.abs(), "{heavy} masses, {strain} by Verlet in {}: {left}", S::NAME);
+                assert!(left < 0.2 * strain.abs(), "mass {heavy}, strain {strain} by Verlet in {}: {left}", S::NAME);
             }
         }
     }

@@ -1,5 +1,5 @@
-//! Sheets that are laid flat, held at a few particles and let go, in one substep of a sixtieth of a second or a few: sweeps alone don't converge there. Such sheets were stretched by
-//! 60 % (32 × 32) and many times over (64 × 64), and had more energy in the end than at first.
+//! Sheets that are laid flat, pinned at a few particles and let go, in one or a few substeps of 1/60 s, where sweeps alone don't converge. Such sheets were once strained by 60 %
+//! (32 × 32) and many times over (64 × 64), and had more energy at the end than at the start.
 
 use kerchief::{
     Bend, Cloth, Drag, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Stretch, Units, Vec3, measure,
@@ -7,17 +7,18 @@ use kerchief::{
 
 const DOWN: [f64; 3] = [0.0, 0.0, -9.81];
 
-/// What happened to a sheet.
+/// The measurements of a run.
 #[derive(Clone, Copy, Debug)]
 struct Outcome {
-    /// The largest strain of a stretch link, in motion and in the end.
+    /// The largest strain of a stretch link in any frame.
     motion: f64,
+    /// The same in the last frame.
     end: f64,
-    /// The energy in the end above that of the start, of m·g·size.
+    /// The energy at the end minus that at the start, over m·g·size.
     energy: f64,
-    /// How far the lowest particle lies below the start, m.
+    /// How far the lowest particle is below the start, m.
     depth: f64,
-    /// What sweeps left, at most and in the end.
+    /// The largest and the last residual of the sweeps.
     residuals: [f64; 2],
 }
 
@@ -26,7 +27,7 @@ struct Sheet {
     springs: [f64; 3],
     substeps: u32,
     seconds: f64,
-    /// The centre is held instead of two corners.
+    /// The centre is pinned instead of two corners.
     centre: bool,
     hung: bool,
 }
@@ -93,7 +94,7 @@ fn laid_sheets_hold_in_one_substep_and_in_two() {
 fn large_sheets_hold_in_one_substep() {
     let found = run::<f32, 64>(&Sheet { seconds: 0.8, ..FIRM }, Lines::new());
     assert!(found.motion < 0.05 && found.energy < 0.0, "{found:?}");
-    // a fall of one fifth of a second strained this one without bounds
+    // this sheet was once strained without bounds within a fifth of a second
     let found = run::<f32, 128>(&Sheet { seconds: 0.2, ..FIRM }, Lines::new());
     assert!(found.motion < 0.05 && found.energy < 0.01, "{found:?}");
 }
@@ -110,7 +111,7 @@ fn what_hangs_from_its_centre_gains_nothing() {
 fn what_sweeps_leave_can_be_asked() {
     let residuals = |solver, seconds| run::<f32, 32>(&Sheet { seconds, ..FIRM }, solver).residuals;
     let [most, end] = residuals(Lines::new(), 4.0);
-    // what is left is split away
+    // splitting of substeps brings the residual down
     assert!((0.02..0.5).contains(&most) && end < 0.04, "{most} {end}");
     let [most, _] = residuals(Lines { most_sweeps: 2, ..Lines::new() }, 1.0);
     assert!(most > 0.1, "{most}");
@@ -118,7 +119,7 @@ fn what_sweeps_leave_can_be_asked() {
 
 #[test]
 fn soft_sheets_stay_soft() {
-    // what sweeps leave is split, not stiffened
+    // substeps are split, springs are not stiffened
     let soft = |substeps| run::<f32, 32>(&Sheet { springs: [100.0, 10.0, 1.0], substeps, ..FIRM }, Lines::new());
     let [coarse, fine] = [1, 16].map(soft);
     assert!(fine.motion > 0.3, "{fine:?}");
@@ -129,7 +130,7 @@ fn soft_sheets_stay_soft() {
 #[test]
 fn more_sweeps_strain_less() {
     let strain = |sweeps, substeps, hung| {
-        // as many as that, no more
+        // exactly so many sweeps
         let solver = Lines { most_sweeps: sweeps, ..Lines::with_sweeps(sweeps) }.within(10.0);
         let found = run::<f32, 32>(&Sheet { substeps, seconds: 1.0, hung, ..FIRM }, solver);
         found.motion
@@ -150,7 +151,7 @@ fn sheets_come_to_lie_where_finer_steps_leave_them() {
     }
 }
 
-/// The work that other programs were measured on: nearly rigid, upright, held at its upper corners.
+/// The scene with which other programs were measured: nearly rigid, upright, pinned at its upper corners.
 #[test]
 fn sweeps_as_needed_strain_no_more_than_a_fixed_number() {
     let units = Units::sheet([32, 32], [10.0, 10.0], 1.0, 1.0 / 60.0, 2);

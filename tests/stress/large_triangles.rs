@@ -1,4 +1,4 @@
-//! A sheet that is stretched tenfold in still air. Air took up to |n|/16 of a corner's velocity in a substep, however large the triangle's |n|: it threw the sheet
+//! A sheet that is stretched tenfold in still air. The air once took up to |n|/16 of a corner's velocity in a substep, for any size |n| of a triangle: it threw the sheet
 //! back faster than it came, and faster still in the next substep.
 
 use kerchief::{
@@ -6,11 +6,11 @@ use kerchief::{
 };
 
 const SIDE: usize = 4;
-/// Cells between neighbours.
+/// The distance of neighbours, cells.
 const APART: i32 = 10;
 const UNITS: Units = Units::sheet([SIDE; 2], [3.0; 2], 1.0, 0.1, 1);
 
-/// The largest speed in some frames and the mean velocity after them, in the speed of the start.
+/// The largest speed in 40 frames and the mean velocity after them, over the initial speed.
 fn left<S: Scalar, F: Force<S>, V: Solver<S>>(air: F, solver: V) -> [f64; 2] {
     let units = UNITS;
     let mut cloth = Cloth::<S, SIDE, SIDE>::lay(&units, units.point([0.0; 3]));
@@ -18,7 +18,7 @@ fn left<S: Scalar, F: Force<S>, V: Solver<S>>(air: F, solver: V) -> [f64; 2] {
     for (column, row) in (0..SIDE).flat_map(|row| (0..SIDE).map(move |column| (column, row))) {
         cloth.position.set(Node::new(column, row), Vec3::new(place(column), place(row), S::ZERO));
     }
-    // the air would take all of it in a hundredth of a substep
+    // air of this density would stop the sheet in a hundredth of a substep
     let speed = 0.5;
     cloth.velocity.change(|_| Vec3::from_f64([0.0, 0.0, speed]));
     let scene = Scene::new(&units, air, (), (), solver);
@@ -44,7 +44,7 @@ fn air_stills_large_triangles() {
             ("xpbd, panels", left::<S, _, _>(panels, Xpbd)),
         ];
         for (solver, [fastest, mean]) in all {
-            // what the corners of a triangle have against each other is not felt by the air
+            // the air acts on the mean velocity of a triangle's corners, so their relative velocities remain
             assert!(fastest <= 1.0 && mean.abs() < 0.1, "{fastest} and {mean} by {solver} in {}", S::NAME);
         }
     }

@@ -1,5 +1,5 @@
-//! Wind on sheets with a light border. The part of its velocity that air takes of a particle in a substep was bounded for particles of a quarter of a mass and more:
-//! lighter ones were thrown back faster than they came, until numbers ended.
+//! Wind on sheets with a light border. The part of a particle's velocity that air takes in a substep was once bounded for masses of a quarter and more only: lighter particles
+//! were thrown back faster than they came, until numbers overflowed.
 
 use kerchief::{
     AerodynamicWind, Cloth, Force, Gravity, Grid, Lines, Node, PanelWind, Q13, Q24, Scalar, Scene, Solver, Stretch,
@@ -10,7 +10,7 @@ use crate::stage::DOWN;
 
 const SIDE: usize = 4;
 
-/// The largest strain in 4 s of a light sheet in a gale, on one of its corners, once its masses are changed.
+/// The largest strain in 4 s of a light sheet that hangs from one corner in a gale. `change` sets its masses.
 fn largest_strain<S: Scalar, V: Solver<S> + Copy>(
     solver: V,
     substeps: u32,
@@ -57,7 +57,7 @@ fn wind_does_not_throw_light_particles_back() {
                 assert!(strain < 10.0, "{strain} by xpbd in {}: hem {hem}, {substeps} substeps", S::NAME);
             }
         }
-        // all of them, or some inside: nothing says that light particles are on a border
+        // light particles need not be on the border: all of them, or one inside
         let all = |cloth: &mut Cloth<S, SIDE, SIDE>| cloth.inverse_mass = Grid::filled(S::from_int(40));
         let inside = |cloth: &mut Cloth<S, SIDE, SIDE>| cloth.inverse_mass[Node::new(1, 2)] = S::from_int(40);
         for substeps in [4, 64] {

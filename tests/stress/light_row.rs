@@ -1,5 +1,5 @@
-//! Nearly rigid rows of light particles between two pins. Such a row has no pivot but what its links yield, and what `f32` rounds of large inverse masses was more: the
-//! sheet was gone in its first frame. Dampers as strong did the same.
+//! Nearly rigid rows of light particles between two pins. One pivot of such a row is the compliance of its links alone. Rounding errors of large inverse masses in `f32`
+//! once exceeded it: the sheet was undefined after its first frame. Dampers as strong did the same.
 
 use kerchief::measure::{is_finite, strain};
 use kerchief::{Cloth, Damped, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Stretch, Units};
@@ -9,7 +9,7 @@ const MASS: f64 = 1e-4;
 const STEP: f64 = 1.0 / 400.0;
 const UNITS: Units = Units::sheet([SIDE; 2], [0.7; 2], MASS, STEP, 1);
 
-/// The largest strain of a second in which a sheet with a border of so light particles swings from its upper corners, its springs and dampers as strong as `[spring, damper]` (κ).
+/// The largest strain in a second of a sheet that swings from its upper corners. Its border has the inverse mass `light`; `[spring, damper]` are the κ of springs and dampers.
 fn most<S: Scalar>(light: f64, [spring, damper]: [f64; 2]) -> f64 {
     let mut cloth = Cloth::<S, SIDE, SIDE>::hang(&UNITS, UNITS.point([0.0; 3]));
     for node in (0..SIDE).flat_map(|k| [(k, 0), (k, SIDE - 1), (0, k), (SIDE - 1, k)]) {

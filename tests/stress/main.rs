@@ -1,4 +1,4 @@
-//! What sheets must survive: in every run finite, bounded, the same twice, without a panic, and afterwards they settle.
+//! Stress tests: in every run a sheet stays finite and bounded, moves the same way twice, causes no panic, and settles afterwards.
 
 mod day;
 mod elasticity;
@@ -23,7 +23,7 @@ mod starts;
 mod thick_air;
 mod torn_chains;
 
-/// Whether the long tier asks (`KERCHIEF_LONG=1`, optimised): each test that is then larger says by what.
+/// Whether this is the long tier (`KERCHIEF_LONG=1`, optimised). Each test that is larger there says so.
 fn is_long() -> bool {
     std::env::var_os("KERCHIEF_LONG").is_some()
 }

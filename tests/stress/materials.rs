@@ -1,4 +1,4 @@
-//! Materials and steps from one end to the other; in the long version closer together.
+//! Materials and steps from one end of their range to the other; in the long version more stiffnesses between.
 
 use kerchief::{Lines, Node, Q13, Q24, Scalar, Solver};
 
@@ -10,14 +10,14 @@ use crate::stage::{CLOTH, Sheet, Stage};
 struct Kicked {
     /// N/m
     stretch: f64,
-    /// Parts of it.
+    /// A part of `stretch`.
     shear: f64,
     /// s
     frame: f64,
     substeps: u32,
-    /// Sizes a second that may be left.
+    /// The largest speed at the end, sheet sizes a second.
     still: f64,
-    /// The mass of the particle in the middle, ordinary particles.
+    /// The mass of the particle in the middle, in masses of the others.
     heavy: f64,
 }
 
@@ -30,7 +30,7 @@ impl Kicked {
 
 impl Ordeal for Kicked {
     fn sheet(&self) -> Sheet {
-        // soft springs hold light sheets only
+        // soft springs can carry light sheets only
         let mass = f64::min(2e-3, 1e-4 * self.stretch);
         let drag = if self.stretch < 1e3 { 5.0 } else { CLOTH.drag };
         let Self { stretch, frame, substeps, .. } = *self;
@@ -64,7 +64,7 @@ fn every_stiffness_and_step() {
             default_solver::<8, 8>(&mut complaints, &what, &Kicked::new(stretch, frame));
         }
         let what = format!("{stretch:e} N/m");
-        // backward Euler keeps this of nearly rigid springs in fixed point
+        // by backward Euler, nearly rigid sheets in fixed point keep such a speed
         other_solvers::<8, 8>(&mut complaints, &what, &Kicked { still: 0.3, ..Kicked::new(stretch, 0.05) });
     }
     complaints.assert_none();
@@ -77,13 +77,13 @@ fn a_particle_a_thousand_times_as_heavy() {
         for frame in STEPS {
             let what = format!("mass ratio 1000, {stretch:e} N/m, frames of {frame:.3} s");
             let kicked = Kicked { heavy: 1000.0, ..Kicked::new(stretch, frame) };
-            // rows within the tolerance may move that particle's neighbours by a seventh of it in a substep
+            // residuals within the tolerance may move that particle's neighbours by tolerance/7 sheet sizes (a cell is 1/7) in a substep
             let still = if frame < 0.01 { Lines::new().tolerance / 7.0 / frame } else { kicked.still };
             let kicked = Kicked { still: still.max(0.03), ..kicked };
             default_in::<f32, 8, 8>(&mut complaints, &what, &kicked);
             default_in::<f64, 8, 8>(&mut complaints, &what, &kicked);
             default_in::<Q24, 8, 8>(&mut complaints, &what, &kicked);
-            // where substeps stay split, what q13 measures amiss beside such a particle keeps a nearly rigid sheet moving
+            // where substeps stay split, the errors of q13 in the lengths of links beside such a particle keep a nearly rigid sheet moving
             let still = if stretch > 1e4 { 1.0 } else { still };
             default_in::<Q13, 8, 8>(&mut complaints, &what, &Kicked { still, ..kicked });
         }

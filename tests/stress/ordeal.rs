@@ -1,4 +1,4 @@
-//! What is done to a sheet, and what it has to be like meanwhile and afterwards.
+//! Ordeals of a sheet: a disturbance, with bounds on the sheet during and after it.
 
 use std::fmt::Write;
 
@@ -7,41 +7,41 @@ use kerchief::{BackwardEuler, Lines, Q13, Q24, Scalar, Solver, Verlet, Xpbd, mea
 use crate::is_long;
 use crate::stage::{DOWN, Sheet, Stage};
 
-/// Something that is done to a sheet for some frames, and the calm after it.
+/// A disturbance of a sheet for some frames, and the calm after it.
 pub(crate) trait Ordeal {
     fn sheet(&self) -> Sheet;
-    /// How long it is done.
+    /// How many frames the disturbance lasts.
     fn frames(&self) -> u32;
-    /// The start.
+    /// Called before the first frame.
     fn begin<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(&self, _stage: &mut Stage<S, V, W, H>) {}
-    /// Before each frame.
+    /// Called before each frame.
     fn disturb<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(
         &self,
         _stage: &mut Stage<S, V, W, H>,
         _frame: u32,
     ) {
     }
-    /// When it is over.
+    /// Called after the last frame.
     fn end<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(&self, _stage: &mut Stage<S, V, W, H>) {}
-    /// How far the sheet may reach along an axis meanwhile, sheet sizes from the middle between its pins.
+    /// The largest coordinate that is allowed in any frame, sheet sizes from the origin.
     fn bounds(&self) -> f64 {
         3.0
     }
-    /// The calm, s.
+    /// The length of the calm, s.
     fn calm(&self) -> f64 {
         6.0
     }
-    /// The largest speed that is left, sizes a second: its root mean square over the last frames, since what trembles is slow or fast by chance at any one moment.
+    /// The bound on the speed at the end, sizes a second. The speed is a root mean square over the last frames, since at one moment a trembling sheet is slow or fast by chance.
     fn still(&self) -> f64 {
         0.02
     }
-    /// The largest strain of a stretch link that is left.
+    /// The bound on the strain of stretch links at the end.
     fn left(&self) -> f64 {
         0.2
     }
 }
 
-/// The frames of the calm over which speeds are averaged.
+/// The last frames of the calm, over which speeds are averaged.
 const LAST: u32 = 10;
 
 fn run<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
@@ -74,7 +74,7 @@ fn run<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
         }
     }
     let (speed, strain) = ((squares / f64::from(LAST)).sqrt(), stage.strain());
-    // q13 measures links to 2⁻¹³ cells, which in a short step of a stiff sheet is a speed
+    // q13 resolves the lengths of links to 2⁻¹³ cells, which in a short step of a stiff sheet appears as a speed
     let measured = if S::NAME == Q13::NAME {
         64.0 / 8192.0 / (W - 1) as f64 / (sheet.frame / f64::from(sheet.substeps))
     } else {
@@ -86,7 +86,7 @@ fn run<S: Scalar, V: Solver<S> + Copy, const W: usize, const H: usize>(
     Ok(measure::digest(&stage.cloth))
 }
 
-/// All that goes wrong.
+/// The failures so far, one a line.
 #[derive(Debug, Default)]
 pub(crate) struct Complaints(String);
 
@@ -102,7 +102,7 @@ impl Complaints {
     }
 }
 
-/// The line solver in a number type; in the long version the same twice.
+/// The line solver in a number type; in the long version twice, to the same bits.
 pub(crate) fn default_in<S: Scalar, const W: usize, const H: usize>(
     complaints: &mut Complaints,
     what: &str,
@@ -144,7 +144,7 @@ pub(crate) fn other_solvers<const W: usize, const H: usize>(
     each::<Q13, W, H>(complaints, what, ordeal);
 }
 
-/// All of them, and a larger grid.
+/// All solvers, and the line solver on a larger grid.
 pub(crate) fn all(what: &str, ordeal: &impl Ordeal) {
     let mut complaints = Complaints::default();
     default_solver::<8, 8>(&mut complaints, what, ordeal);

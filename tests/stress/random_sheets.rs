@@ -1,7 +1,7 @@
-//! Damped sheets drawn by lot: none ends with more energy than it began with, or more strain than in fine steps, and few go on shaking.
+//! Damped random sheets: none ends with more energy than it began with, or with more strain than in fine steps, and few go on shaking.
 //!
-//! Nearly rigid springs have as much energy as the whole sheet in a strain of a hundredth of a percent, which nobody sees. So energy is that of motion and height, in
-//! which such springs would have to show theirs; strain has its own law.
+//! Nearly rigid springs store as much energy as the whole sheet in an invisible strain of a hundredth of a percent. So the final energy is kinetic and gravitational only, and
+//! spring energy would have to appear there. Strain has its own law.
 //!
 //! A dozen sheets, always the same; in the long version (`KERCHIEF_LONG=1`, optimised) sixty, on large grids and for longer, which takes an hour.
 
@@ -13,7 +13,7 @@ use sheet::{Found, Kind, Sheet};
 
 use crate::is_long;
 
-/// What is looked at.
+/// The runs of the short or the long version.
 struct Tier {
     sheets: std::ops::Range<u64>,
     sides: &'static [usize],
@@ -33,11 +33,11 @@ const LONG: Tier = Tier {
     seconds: 20.0,
 };
 
-/// How much more energy than at the start a sheet may have in the second half of its time, of m·g·size.
+/// The most energy that a sheet may gain, in the second half of its time, over m·g·size.
 const ENERGY: f64 = 1e-3;
 
-/// How much more strain than in steps a sixteenth as long a sheet may have in the end, and one that a single particle holds: it has other folds then, and what is around its pin carries
-/// all of it.
+/// The most strain at the end beyond that in steps a sixteenth as long. A sheet with a single pin has a larger bound: it falls into other folds then, and the links around its pin
+/// carry all of it.
 const STRAIN: f64 = 0.02;
 const STRAIN_AT_ONE_PIN: f64 = 0.15;
 
@@ -45,7 +45,7 @@ fn tier() -> Tier {
     if is_long() { LONG } else { SHORT }
 }
 
-/// Every run of the tier with the same sheet in steps a sixteenth as long, which `f32` does for all number types.
+/// Shows every run of the tier, with the run of the same sheet in steps a sixteenth as long, in `f32` for all number types.
 fn each(tier: &Tier, mut look: impl FnMut(&Sheet, &str, &Found, &Found)) {
     for number in tier.sheets.clone() {
         let sheet = Sheet::by_lot(number, tier.sides);
@@ -75,6 +75,6 @@ fn sheets_gain_neither_energy_nor_strain() {
     });
     println!("of {runs} runs {shaking:?} end faster than 1, 10 and 100 mm/s");
     assert!(broken.is_empty(), "\n{broken}");
-    // nearly rigid ones: docs/line-solver.md
+    // nearly rigid sheets shake: docs/line-solver.md
     assert!(6 * shaking[2] <= runs, "{} of {runs} runs go on shaking", shaking[2]);
 }

@@ -1,11 +1,11 @@
-//! Soft springs in short substeps, by the line solver. `Q13` kept 14 bits of their strength κ = k·h²/m: springs grew weaker with more substeps, and from some number
-//! on there were none.
+//! Soft springs in short substeps, by the line solver. `Q13` once kept 14 bits of their strength κ = k·h²/m: springs grew weaker with more substeps, and beyond some number
+//! had no strength at all.
 
 use kerchief::{Cloth, Gravity, Lines, Node, Q13, Q24, Scalar, Scene, Stretch, Units};
 
 use crate::stage::DOWN;
 
-/// The lowest point after some frames of 20 ms, m, of a sheet of nothing but stretch links that hangs from its upper corners.
+/// The lowest point after some frames of 20 ms, m, of a sheet with stretch links only that hangs from its upper corners.
 fn lowest<S: Scalar, const W: usize, const H: usize>(
     size: [f64; 2],
     [mass, stretch]: [f64; 2],
@@ -42,7 +42,7 @@ fn soft_springs_hold_however_short_a_substep_is() {
     }
 }
 
-/// By how much a chain of springs of κ = 9/4/`divisor` is longer than at rest under its own weight, cells.
+/// The elongation under its own weight of a chain of springs with κ = 9/4/`divisor`, cells.
 fn stretched<S: Scalar>(divisor: f64) -> f64 {
     let (mass, frame) = (2e-3, 0.1);
     let units = Units::sheet([1, 16], [0.0, 0.15], mass, frame, 1);
@@ -58,7 +58,7 @@ fn stretched<S: Scalar>(divisor: f64) -> f64 {
 
 #[test]
 fn very_stiff_springs_give_as_much_as_in_floats() {
-    // of a divisor of 2.5e-5, 14 bits are none, and the chain did not give; of twice as much they were a fifth too much
+    // with 14 bits a divisor of 2.5e-5 was zero, and the chain did not stretch; one of twice as much was a fifth too large
     for divisor in [1e-3, 2e-4, 5e-5, 2.5e-5] {
         let [exact, found] = [stretched::<f64>(divisor), stretched::<Q13>(divisor)];
         assert!((found / exact - 1.0).abs() < 0.02, "1/κ {divisor}: {found} cells, {exact} in f64");

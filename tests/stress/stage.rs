@@ -1,11 +1,11 @@
-//! A sheet that is about to suffer.
+//! The sheet of the stress tests and its scene.
 
 use kerchief::{
     AerodynamicWind, Bend, Cloth, Drag, FacetWind, Gravity, Grid, Moving, Node, Scalar, Scene, Shear, Solver, Sphere,
     Stretch, Units, Vec3, measure,
 };
 
-/// What a sheet is, in SI units.
+/// A sheet's properties, in SI units.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sheet {
     /// m
@@ -16,14 +16,14 @@ pub(crate) struct Sheet {
     pub(crate) stretch: f64,
     pub(crate) shear: f64,
     pub(crate) bend: f64,
-    /// A frame, s.
+    /// The length of a frame, s.
     pub(crate) frame: f64,
     pub(crate) substeps: u32,
     /// 1/s
     pub(crate) drag: f64,
 }
 
-/// A metre of light cloth in frames of a sixtieth of a second. It hangs from two corners strained by 0.5 % at 8 × 8 particles.
+/// A metre of light cloth in frames of 1/60 s. With 8 × 8 particles, hanging from two corners, it is strained by 0.5 %.
 pub(crate) const CLOTH: Sheet = Sheet {
     size: 1.0,
     mass: 2e-3,
@@ -40,7 +40,7 @@ pub(crate) const DOWN: [f64; 3] = [0.0, 0.0, -9.81];
 type Forces<S> = (Gravity<S>, Drag<S>, Option<FacetWind<S>>, Option<AerodynamicWind<S>>);
 type Links<S> = (Stretch<S>, Shear<S>, Bend<S>);
 
-/// The sheet on its two upper corners, its scene, and what its solver remembers.
+/// The sheet, pinned at its two upper corners, its scene and its solver's memory.
 pub(crate) struct Stage<S: Scalar, V: Solver<S>, const W: usize, const H: usize> {
     pub(crate) units: Units,
     pub(crate) scene: Scene<Forces<S>, Links<S>, Moving<Sphere<S>>, V>,
@@ -58,7 +58,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
     pub(crate) fn new(sheet: &Sheet, solver: V) -> Self {
         let Sheet { size, mass, stretch, shear, bend, frame, substeps, drag } = *sheet;
         let units = Units::sheet([W, H], [size, size], mass, frame, substeps);
-        // around the origin, so that there is the most room on all sides
+        // around the origin, so that there is the most space in all directions
         let mut cloth = Cloth::hang(&units, units.point([-0.5 * size, 0.0, 0.5 * size]));
         corners::<W>().into_iter().for_each(|node| cloth.pin(node));
         let links = (
@@ -78,7 +78,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
         self.scene.play(&mut self.cloth, &mut self.memory);
     }
 
-    /// A number from −1 to 1 (G. Marsaglia, *Xorshift RNGs*, 2003).
+    /// A pseudorandom number from −1 to 1 (G. Marsaglia, *Xorshift RNGs*, 2003).
     pub(crate) fn random(&mut self) -> f64 {
         self.random ^= self.random << 13;
         self.random ^= self.random >> 7;
@@ -90,7 +90,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
         core::array::from_fn(|_| largest * self.random())
     }
 
-    /// Puts every free particle somewhere, m.
+    /// Puts every free particle where `place` says, m.
     pub(crate) fn place(&mut self, mut place: impl FnMut(&mut Self, Node) -> [f64; 3]) {
         for node in Grid::<S, W, H>::nodes() {
             if !self.cloth.is_pinned(node) {
@@ -100,7 +100,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
         }
     }
 
-    /// Gives every free particle a velocity, m/s.
+    /// Gives every free particle a random velocity, m/s.
     pub(crate) fn kick(&mut self, largest: f64) {
         for node in Grid::<S, W, H>::nodes() {
             if !self.cloth.is_pinned(node) {
@@ -110,7 +110,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
         }
     }
 
-    /// Where a particle is, m.
+    /// A particle's position, m.
     pub(crate) fn at(&self, node: Node) -> [f64; 3] {
         self.cloth.position.at(node).to_f64().map(|cells| cells * self.units.cell)
     }
@@ -123,7 +123,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
         self.scene.forces.1 = Drag::new(self.units.drag(rate));
     }
 
-    /// Lets the pins go on from where they are by so much in the next frame, m.
+    /// Lets a pin move by `way` in the next frame, m.
     pub(crate) fn carry(&mut self, node: Node, way: [f64; 3]) {
         let target = self.cloth.position.at(node) + self.units.point(way).to_vec();
         self.scene.move_pin(&mut self.cloth, node, target);
@@ -139,13 +139,13 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Stage<S, V, W, H> 
         largest(self.cloth.velocity.values()) * self.units.cell / self.units.tick()
     }
 
-    /// How far the sheet reaches along an axis, m.
+    /// The largest coordinate of a particle, m.
     pub(crate) fn reach(&self) -> f64 {
         largest(self.cloth.position.values()) * self.units.cell
     }
 }
 
-/// The largest component; infinite where one is undefined.
+/// The largest absolute component; infinite if one is undefined.
 fn largest<S: Scalar>(vectors: impl Iterator<Item = Vec3<S>>) -> f64 {
     let components = vectors.flat_map(Vec3::to_f64).map(f64::abs);
     components.fold(0.0, |largest, x| if x.is_nan() { f64::INFINITY } else { x.max(largest) })

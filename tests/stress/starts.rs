@@ -1,4 +1,4 @@
-//! Starts that no sheet has.
+//! Impossible initial positions.
 
 use kerchief::{Lines, Node, Q13, Q24, Scalar, Solver};
 
@@ -21,7 +21,7 @@ macro_rules! starts {
             fn begin<S: Scalar, V: Solver<S>, const W: usize, const H: usize>(&self, stage: &mut Stage<S, V, W, H>) {
                 stage.place(|$stage, $node| $place);
             }
-            // springs know nothing of each other: a sheet that falls through itself comes to rest with folds turned inside out, by every solver
+            // without self-contact a sheet falls through itself, and comes to rest with folds turned inside out, by every solver
             fn left(&self) -> f64 {
                 0.6
             }
@@ -35,22 +35,22 @@ macro_rules! starts {
 }
 
 starts! {
-    /// Every particle somewhere in a cube of the sheet's size.
+    /// Every particle at a random place in a cube of the sheet's size.
     scrambled Scrambled: "scrambled", |stage, _node| stage.random_vector(0.5 * CLOTH.size);
-    /// All particles in one point.
+    /// All particles at one point.
     without_size Zero: "without size", |_stage, _node| [0.0; 3];
-    /// All particles in the place of the first pin.
+    /// All particles at the first pin.
     in_a_pin InPin: "in a pin", |stage, _node| stage.at(Node::new(0, 0));
     /// Upside down and left to right.
     inverted Inverted: "inverted", |stage, node| stage.at(node).map(|x| -x);
-    /// Its lower half folded up onto the upper one, particle on particle.
+    /// The lower half folded up onto the upper one, particle on particle.
     folded Folded: "folded", |stage, node| { let [x, y, z] = stage.at(node); [x, y, z.max(-z)] };
-    /// Every particle in the place of its left neighbour of even number.
+    /// Every particle of an odd column at the place of its left neighbour.
     in_pairs Pairs: "in pairs", |stage, node| stage.at(Node::new(node.column / 2 * 2, node.row));
 }
 
-/// Most strained stretch link from the tenth frame on, after a start where every free particle of the thesis' sheet, ten times as stiff or a thousand times, is
-/// somewhere in a cube of the sheet's size. The worst of some starts: of one on large grids, in the long version of four on each.
+/// The largest strain of a stretch link in ten frames from the tenth on, of the thesis' sheet, ten or a thousand times as stiff. Every free particle starts at a random place in a
+/// cube of the sheet's size. It is the worst of four starts; the short version has one start on grids of more than 16 particles a side.
 fn after_ten_frames<S: Scalar, const N: usize>(stretch: f64) -> f64 {
     let starts = if N > 16 && !is_long() { 1 } else { 4 };
     (0..starts).fold(0.0, |strain: f64, start| strain.max(after_ten_frames_from::<S, N>(stretch, start)))

@@ -1,11 +1,12 @@
-//! Fast sheets that are light as the air around them. Pressure times velocity left fixed point, came back negative, and air pushed the sheet on instead of stilling it.
+//! Fast sheets that are as light as the air around them. In fixed point pressure times velocity once overflowed and became negative: the air pushed the sheet on instead of
+//! braking it.
 
 use kerchief::{AerodynamicWind, Cloth, Force, PanelWind, Q13, Q24, Scalar, Scene, Units, Vec3, Xpbd};
 
 const SIDE: usize = 4;
 const UNITS: Units = Units::sheet([SIDE; 2], [3.0; 2], 1.0, 0.1, 4);
 
-/// The speed that is left in thick air of one that is `speed` cells a tick.
+/// The part of `speed` (cells a tick) that a frame in thick air leaves, by the aerodynamic and the panel model.
 fn left<S: Scalar>(density: f64, speed: f64) -> [f64; 2] {
     let air = AerodynamicWind::<S>::new(UNITS.aerodynamic_wind([0.0; 3], density, 1.0));
     let panels = PanelWind::<S>::new(UNITS.panel_wind([0.0; 3], density, 1.0));

@@ -1,11 +1,12 @@
-//! Torn chains: the multipliers that pull them together at once, hundreds of cells, wrapped in fixed point and sent them flying; of heavy particles, out of its range.
+//! Overstretched chains. The multipliers that would close them at once, hundreds of cells, once wrapped in fixed point and sent the chains flying, those of heavy particles out of
+//! its range.
 
 use kerchief::{Cloth, Lines, Node, Q13, Q24, Scalar, Scene, Stretch, Units, Vec3, measure};
 
 const PARTICLES: usize = 4;
 
-/// A chain hung up at its first particle, each of these masses and each link of so many cells, is let go: the furthest that a particle gets, cells, and the strain after
-/// a second.
+/// A chain, pinned at its first particle, is let go with particles of this mass and links of so many cells. Returns a particle's largest distance from the origin, cells, and the
+/// strain after a second.
 fn let_go<S: Scalar>(mass: f64, cells: f64, bend: f64, down: bool) -> [f64; 2] {
     if down { released::<S, 1, PARTICLES>(mass, cells, bend) } else { released::<S, PARTICLES, 1>(mass, cells, bend) }
 }
@@ -38,7 +39,7 @@ fn torn_chains_come_together() {
                 for (bend, down) in [(0.0, false), (0.3, false), (0.0, true), (0.3, true)] {
                     let [furthest, strain] = let_go::<S>(mass, cells, bend, down);
                     let case = format!("{cells} cells a link of mass {mass}, bend {bend}, down {down} in {}", S::NAME);
-                    assert!(furthest < 3.0 * cells, "{case}: as far as {furthest}");
+                    assert!(furthest < 3.0 * cells, "{case}: {furthest} cells away");
                     assert!(strain < 0.1, "{case}: strained by {strain} after a second");
                 }
             }

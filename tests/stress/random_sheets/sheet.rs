@@ -1,4 +1,4 @@
-//! A sheet drawn by lot, and what becomes of it.
+//! A random sheet and its run.
 
 use kerchief::{
     Bend, Cloth, Drag, Gravity, Grid, Lines, Node, Q13, Q24, Scalar, Scene, Shear, Stretch, Units, Vec3, measure,
@@ -12,7 +12,7 @@ enum Pins {
     Edge,
     Centre,
     Single,
-    /// Two corners, one of which is carried to and fro in the first two seconds.
+    /// Two corners. One of them is moved to and fro in the first two seconds.
     Moving,
 }
 
@@ -20,7 +20,7 @@ enum Pins {
 enum Start {
     Laid,
     Hung,
-    /// Laid, and its far half folded over the near one.
+    /// Laid, with its far half folded over the near one.
     Folded,
 }
 
@@ -29,9 +29,9 @@ enum Start {
 pub(super) struct Sheet {
     side: usize,
     size: f64,
-    /// Of the whole sheet.
+    /// The mass of the whole sheet.
     mass: f64,
-    /// Of stretch, shear and bend.
+    /// The stiffness of stretch, shear and bend.
     springs: [f64; 3],
     pins: Pins,
     start: Start,
@@ -39,18 +39,18 @@ pub(super) struct Sheet {
     drag: f64,
 }
 
-/// What happened to it.
+/// The measurements of a run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
-    /// The largest strain of a stretch link in the end.
+    /// The largest strain of a stretch link at the end.
     pub(super) strain: f64,
-    /// The most energy of motion and height in the second half of the time, above all energy of the start, of m·g·size.
+    /// The largest kinetic and gravitational energy in the second half of the time, minus the total energy at the start, over m·g·size.
     pub(super) energy: f64,
-    /// The largest speed in the last second, m/s.
+    /// The largest speed along an axis in the last second, m/s.
     pub(super) speed: f64,
 }
 
-/// Numbers by lot (G. Steele and others, *Fast splittable pseudorandom number generators*, 2014).
+/// Pseudorandom numbers (G. Steele and others, *Fast splittable pseudorandom number generators*, 2014).
 struct Lot(u64);
 
 impl Lot {
@@ -67,7 +67,7 @@ impl Lot {
         low + (high - low) * self.part()
     }
 
-    /// Evenly in powers.
+    /// Uniform in the logarithm.
     fn power(&mut self, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.part())
     }
@@ -78,7 +78,7 @@ impl Lot {
 }
 
 impl Sheet {
-    /// The same for the same number.
+    /// The random sheet with this number, always the same.
     pub(super) fn by_lot(number: u64, sides: &[usize]) -> Self {
         let mut lot = Lot(number.wrapping_mul(0xd134_2543_de82_ef95));
         let (side, size) = (lot.one_of(sides), lot.power(0.1, 3.0));
@@ -95,7 +95,7 @@ impl Sheet {
         }
     }
 
-    /// Whether the number type holds the speed of what falls by more than the sheet's diagonal, on a grid that is compiled.
+    /// Whether the number type represents the speed after a fall by more than the sheet's diagonal, and the grid is compiled for it.
     pub(super) fn fits(&self, kind: Kind) -> bool {
         let cell = self.size / (self.side - 1) as f64;
         let fast = (2.0 * 9.81 * 2.0 * self.size).sqrt() * 2.0 * self.frame / cell;
@@ -106,12 +106,12 @@ impl Sheet {
         }
     }
 
-    /// Whether a single particle holds it.
+    /// Whether it has a single pin.
     pub(super) fn hangs_from_one(&self) -> bool {
         matches!(self.pins, Pins::Centre | Pins::Single)
     }
 
-    /// Lets it move for so many seconds.
+    /// Runs it for so many seconds.
     pub(super) fn run(&self, kind: Kind, substeps: u32, seconds: f64) -> Found {
         macro_rules! run {
             ($scalar:ty) => {
@@ -119,7 +119,7 @@ impl Sheet {
                     8 => self.run_on::<$scalar, 8>(substeps, seconds),
                     16 => self.run_on::<$scalar, 16>(substeps, seconds),
                     32 => self.run_on::<$scalar, 32>(substeps, seconds),
-                    // in the long version, which is optimised: each takes seconds to compile
+                    // only in the long version, which is optimised: each grid takes seconds to compile
                     #[cfg(not(debug_assertions))]
                     64 => self.run_on::<$scalar, 64>(substeps, seconds),
                     side => unreachable!("{side} particles a side"),
@@ -140,7 +140,7 @@ impl Sheet {
         Units::sheet([side, side], [self.size; 2], self.mass / (side * side) as f64, self.frame, substeps)
     }
 
-    /// Puts a sheet where it begins, and pins it.
+    /// Puts the particles in their initial places and sets the pins.
     fn place<S: Scalar, const N: usize>(&self, cloth: &mut Cloth<S, N, N>) {
         let (units, half) = (self.units(1), 0.5 * self.size);
         match self.start {
@@ -168,7 +168,7 @@ impl Sheet {
         let Self { size, mass, springs, frame, drag, .. } = *self;
         let (units, mut cloth) = (self.units(substeps), Box::new(Cloth::<S, N, N>::BLANK));
         self.place(&mut cloth);
-        // so that no rounding decides where the sheet goes
+        // random velocities, so that rounding does not decide where the sheet goes
         let mut lot = Lot(1);
         for node in Grid::<S, N, N>::nodes() {
             if !cloth.is_pinned(node) {
