@@ -58,7 +58,8 @@
 //! # Guarantees
 //!
 //! A step cannot fail: invalid parameters are rejected when a scene is built, by the compiler in constants and with a panic elsewhere. The same scene gives the
-//! same bits on every target, for every number type: only `+ − × ÷` and the square root are used, each rounded once, in one order. There is no unsafe code.
+//! same bits on every target, for every number type: floats use only `+ − × ÷` and the square root, each rounded once, fixed point only integer arithmetic, and
+//! the order of operations is fixed. There is no unsafe code.
 #![no_std]
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]

@@ -3,8 +3,8 @@
 //! This is the only module that depends on the bits of a number. All modules above it compute with [`Scalar`], in the sheet's own units (see
 //! [`Units`](crate::Units)), so that lengths are near one and fixed point keeps its precision.
 //!
-//! Only `+ − × ÷` and the square root are used, each rounded once and always in the same order, so every number type gives the same
-//! bits on every target.
+//! Floats use only `+ − × ÷` and the square root, each rounded once; fixed point uses only integer arithmetic; and the order of operations is fixed. So every
+//! number type gives the same bits on every target.
 
 pub(crate) mod fit;
 mod fixed24;

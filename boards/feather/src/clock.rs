@@ -1,6 +1,6 @@
 //! A clock that counts instructions: in QEMU with `-icount shift=0` an instruction takes a nanosecond of the emulated time that `SysTick` reads.
 //!
-//! Nothing sets it but the frequency of the timer, and no loop is trusted. The tests hold it against a counter that shares nothing with it.
+//! It is configured by the timer's frequency only, and contains no calibrated loop. The tests compare it with an independent counter.
 
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
@@ -17,7 +17,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// The frequency with which it counts ticks, which on a chip are cycles of the processor.
+    /// Counted ticks in a second. On a chip, ticks are cycles of the processor.
     pub const CYCLES: u32 = SECOND;
 
     /// A clock whose timer ticks with this frequency, Hz.
@@ -29,7 +29,7 @@ impl Clock {
         Self { timer, frequency }
     }
 
-    /// What `work` executes.
+    /// The number of instructions that `work` executes.
     pub fn instructions(&mut self, work: impl FnOnce()) -> u64 {
         mark();
         let ticks = self.ticks(work);
@@ -37,7 +37,7 @@ impl Clock {
         u64::from(ticks) * u64::from(SECOND) / u64::from(self.frequency)
     }
 
-    /// How long `work` takes: up to 2²⁴ ticks.
+    /// The ticks that `work` takes: up to 2²⁴.
     fn ticks(&mut self, work: impl FnOnce()) -> u32 {
         self.timer.clear_current();
         let start = SYST::get_current();
@@ -47,7 +47,7 @@ impl Clock {
     }
 }
 
-/// Where the other counter looks, before and after what is counted.
+/// The second counter reads its count here, before and after each counted part.
 #[inline(never)]
 extern "C" fn mark() {
     cortex_m::asm::nop();
