@@ -9,7 +9,7 @@
 //! `x_k = R_k + (c_k/p_k)·x_{k+1}`,  pivots `p_k = d_k − c_{k−1}²/p_{k−1}`,  `R_k = (r_k + c_{k−1}·R_{k−1})/p_k`,
 //!
 //! and substitution up the chain finds them. Links of strength a/b between inverse masses w have `d_k = a·(w_k + w_{k+1}) + b` and `|c_k| ≤ a·w_{k+1}`, so
-//! `p_k ≥ a·w_{k+1} + b`, and no factor `c_k/p_k` is larger than 1: errors don't grow along the chain.
+//! `p_k ≥ a·w_{k+1} + b`, and no factor `c_k/p_k` is larger than 1: no term grows along the chain.
 //!
 //! [`twisted`] eliminates from both ends to the middle: a mirrored chain of an odd number of links is solved as the mirror image, to the last bit in floats.
 
