@@ -10,7 +10,7 @@ use super::extent::{Bounds, Extent};
 use super::sweep::{Sweep, spread};
 use super::tiling::{Patch, TILE, Tiling};
 
-/// The most by which velocities may differ, times the time for which a list is made, cells. The time is a frame, or less for faster particles.
+/// The largest difference of velocities times the time for which a list is made, cells. The time is a frame, or less for faster particles.
 const FAR: f64 = 2.0;
 
 /// The distance by which particles may approach each other beyond that before the list is made again, coarse: a sixteenth of a cell.

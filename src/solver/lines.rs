@@ -18,9 +18,9 @@
 //!
 //! `v' = (4·v − v₋)/3 + (2/3)·h·a'`,  `x' = x + h·(4·v' + v + v₋)/6`.
 //!
-//! It needs one vector of history instead of the two of BDF2 for both, loses half as much energy, is stable for any step, and halves unresolved vibrations in every substep.
-//! The first substep has no history. There, links follow backward Euler, which costs no order if done once. The other forces act with their acceleration at the start of the
-//! substep, and the missing v₋ is v − h·a, so that free fall is exact.
+//! Compared with BDF2 for both, the pair needs one vector of history instead of two, and loses half as much energy. It is stable for any step, and halves unresolved vibrations
+//! in every substep. The first substep has no history. There, links follow backward Euler, which costs no order if done once. The other forces act with their acceleration at
+//! the start of the substep, and the missing v₋ is v − h·a, so that free fall is exact.
 //!
 //! # Sweeps
 //!
@@ -30,8 +30,8 @@
 //! Each family disturbs the solution of the others, so one sweep is not enough. While the sheet swings, two are; where it snaps taut, more are made, and their number is
 //! [kept](sweeps) until the bounce is over.
 //!
-//! In every substep all multipliers start at zero: on a stiff sheet, a part of those of the last substep would not decay, and would shake it. The first sweep reads the last ones
-//! all the same, to separate the strain that balances spring forces from the unsolved residual.
+//! In every substep all multipliers start at zero. If they started from their last values, a part of these would not decay on a stiff sheet, and would shake it. The first sweep
+//! reads the last values all the same, to separate the strain that balances spring forces from the unsolved residual.
 //!
 //! # Steps too long for sweeps
 //!
@@ -77,8 +77,8 @@ use split::{Outcome, Split};
 use streak::is_easy;
 use sweeps::Kept;
 
-/// The line solver for sheets that hardly stretch: second order in time, exact along rows, columns and stiff diagonals. It answers the question of super-elasticity
-/// (thesis, section 6.2).
+/// The line solver, for sheets that hardly stretch: second order in time, exact along rows, columns and stiff diagonals. It is an answer to super-elasticity (thesis,
+/// section 6.2).
 ///
 /// The rule in time is stable for any stiffness and step, and substeps whose sweeps don't converge are split. Nearly rigid sheets in few substeps may tremble all the same;
 /// docs/line-solver.md lists the cases.

@@ -1,9 +1,9 @@
 //! Geometric stiffness correction, so that taut chains don't shake.
 //!
 //! A tension straightens a bent chain, along the directions that its links had when it was solved. In a zigzag of amplitude y this moves a particle by up to −4·λ·y/L, where λ
-//! is the displacement that the tension gives a particle. Beyond λ = L/2 the particle ends further out on the other side. The rule in time amplifies such an overshoot, unless
-//! more than −0.23·y is left; the chains that carry a sheet then shake for good. So where tensions are that large, their effect across the chain is computed implicitly: the
-//! displacement y' across solves
+//! is the displacement that the tension gives a particle. Beyond λ = L/2 the particle ends further out on the other side. The rule in time amplifies any overshoot beyond
+//! −0.23·y, and the chains that carry a sheet then shake for good. So where tensions are that large, their effect across the chain is computed implicitly: the displacement y'
+//! across solves
 //!
 //! `(1 + w_i·(a_{i−1} + a_i))·y'_i − w_i·a_{i−1}·y'_{i−1} − w_i·a_i·y'_{i+1} = y_i`,  a = max(λ, 0)/L,
 //!

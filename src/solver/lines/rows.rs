@@ -52,7 +52,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         worst
     }
 
-    /// Solves a row. Returns its largest unsolved excess length before.
+    /// Solves a row. Returns the largest unsolved excess length that it found.
     #[inline(always)]
     fn row<const UNIT_MASS: bool>(
         &self,
