@@ -65,7 +65,7 @@ pub struct Thickness {
 }
 
 impl Thickness {
-    /// A thickness in m: three quarters of a cell's longer side to the whole of it.
+    /// A thickness in m, from three quarters of a cell's longer side to the whole side.
     ///
     /// # Panics
     /// At compile time in a constant: for any other thickness.

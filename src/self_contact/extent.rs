@@ -95,8 +95,8 @@ impl Bounds {
 /// A test whether a patch is so flat that none of its particles meet except neighbours.
 ///
 /// Let u be a direction along which every edge of a row has a component of at least A > 0, and every edge of a column one of at most B in magnitude. Particles p columns and q
-/// rows apart, with p·a ≥ q·b for cells of a × b, are then at least p·A − q·B ≥ p·a·(A/a − B/b) apart along u. Unless they are neighbours, p·a ≥ m. If p·a < q·b, exchange the
-/// roles of rows and columns.
+/// rows apart, with p·a ≥ q·b for cells of a × b, are then at least p·A − q·B ≥ p·a·(A/a − B/b) apart along u. Unless they are neighbours, p·a ≥ m, the smaller extent of the
+/// neighbourhood along rows and columns. If p·a < q·b, exchange the roles of rows and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Flatness {
     /// m/a and m/b in 16ths, rounded down and up.

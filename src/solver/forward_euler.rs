@@ -25,7 +25,7 @@ impl ForwardEuler {
 }
 
 impl<S: Scalar> Solver<S> for ForwardEuler {
-    /// The force on every particle.
+    /// The velocity change of every particle by forces.
     type Memory<L: Links<S>, const W: usize, const H: usize> = Vectors<S, W, H>;
 
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {

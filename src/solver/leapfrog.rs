@@ -25,7 +25,7 @@ impl Leapfrog {
     }
 }
 
-/// The force on every particle, and its velocity at the start of a substep.
+/// The velocity change of every particle by forces, and its velocity at the start of a substep.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(deserialize = "S: Scalar + serde::Deserialize<'de>")))]

@@ -173,7 +173,8 @@ impl<S: Scalar, T: Blank, P: Blank, const W: usize, const H: usize> LinesMemory<
 
 impl<S: Scalar, T, P, const W: usize, const H: usize> LinesMemory<S, T, P, W, H> {
     /// The residual of the last substep: the largest strain of a row that the last sweep found before it solved the row, and over all parts if the substep was split.
-    /// The strain that balances the spring forces is not counted; after a single sweep, the forces are those of the substep before.
+    /// The strain that balances the spring forces is not counted; after a single sweep, the forces are those of the substep before. In fixed point, columns and diagonals that were
+    /// regularised count as well.
     ///
     /// Up to twice the [tolerance](Lines::tolerance), a substep is as accurate as its step allows. If the residual stays above, the sheet already has all the sweeps and parts that
     /// it may have, and more of either ([`Lines::most_sweeps`]) or shorter steps would change its motion.

@@ -86,7 +86,7 @@ mod tests {
         // 1 + 2 + 2 + 1 masses
         assert_eq!(added(21.0, [1.0; 5]), 0.0);
         assert!(added(21.3, [1.0; 5]) > 0.0);
-        // no bound between pins, and nothing that moves
+        // no bound between two pins; no need for one if nothing moves
         assert!(added(0.1, [0.0, 1.0, 1.0, 1.0, 0.0]) > 0.0);
         assert_eq!(added(100.0, [0.0; 5]), 0.0);
     }
