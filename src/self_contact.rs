@@ -1,8 +1,7 @@
-//! A sheet that meets itself.
+//! Contacts of a sheet with itself.
 //!
-//! [`SelfContact`] is a solver around another one, which keeps particles that are no neighbours a thickness apart, as a collider keeps them from its surface. On a mesh of
-//! squares no particle passes through a cell and no edge through another one while the mesh is strained by less than d·√2 − 1 for a thickness of d cells: by 41 % for 1, by
-//! 6 % for 0.75.
+//! [`SelfContact`] is a solver around another one. It keeps particles that are not neighbours a thickness apart, as a collider keeps them from its surface. On a mesh of squares
+//! with a thickness of d cells, no particle passes through a cell and no edge through another edge while the mesh is strained by less than d·√2 − 1: 41 % for 1, 6 % for 0.75.
 //!
 //! ```
 //! use kerchief::*;
@@ -20,11 +19,11 @@
 //! assert!(measure::closest(&cloth, &SHEET.units) > 0.018);
 //! ```
 //!
-//! Which quads of particles may meet is found once in a frame, from boxes of whole numbers around them: more often where parts of the sheet differ in speed by more than two cells
-//! a frame, less often where they hardly do. Where a part of a sheet is flat, nothing in it is looked at. In every substep, and between the sweeps of the line solver, the particles of these quads are
-//! looked at. It takes 6 bytes a particle, and nothing where it is not named.
+//! A list of the quads of particles that may meet is made once in a frame, from boxes of whole numbers around them. It is made more often if parts of the sheet differ in
+//! velocity by more than two cells a frame, less often if they hardly differ. Flat parts of a sheet are left out. In every substep, and between the sweeps of the line solver,
+//! the particles of the listed quads are checked. The list takes 6 bytes a particle; scenes without `SelfContact` have none.
 //!
-//! A sheet that rests is wrapped once more: `Resting` around `SelfContact`, not the other way round.
+//! For sheets that come to rest, wrap `Resting` around `SelfContact`, not the other way round.
 
 mod extent;
 mod meet;
@@ -51,14 +50,14 @@ use near::List;
 
 pub(crate) use near::Near;
 
-/// The least thickness of a sheet, in the longer side of its cells; the most is 1.
+/// The least thickness of a sheet, in longer sides of its cells; the largest is 1.
 pub(crate) const THINNEST: f64 = 0.75;
 
-/// By how much two particles may miss the places to which they were going while a list of pairs lasts, together, cells: so much at least, more by what they differ in speed, and
-/// so much at most.
+/// The allowance for two particles that together deviate from their predicted ways while a list lasts, cells. It is the first number plus the largest difference of velocities,
+/// and at most the second number.
 const STRAY: [f64; 2] = [0.2, 0.5];
 
-/// A sheet's thickness, which [`Thickness::new`] has found to be possible.
+/// A sheet's thickness, checked by [`Thickness::new`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thickness {
     cells: f64,
@@ -66,14 +65,14 @@ pub struct Thickness {
 }
 
 impl Thickness {
-    /// A thickness in m: three quarters of a cell's longer side to the whole of it.
+    /// A thickness in m, from three quarters of a cell's longer side to the whole side.
     ///
     /// # Panics
     /// At compile time in a constant: for any other thickness.
     #[track_caller]
     pub const fn new(units: &Units, metres: f64) -> Self {
         let cells = metres / units.cell;
-        // what is rounded in metres is no other thickness
+        // allows for rounding of the metres
         assert!(
             cells >= THINNEST - 1e-9 && cells <= 1.0 + 1e-9,
             "a sheet that meets itself is between 0.75 and 1 times as thick as a cell's longer side"
@@ -82,10 +81,10 @@ impl Thickness {
     }
 }
 
-/// A solver around another one, for a sheet that meets itself.
+/// A solver around another one that adds contacts of the sheet with itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SelfContact<S: Scalar, V> {
-    /// What moves the sheet.
+    /// The solver that moves the sheet.
     pub solver: V,
     law: Law<S>,
 }
@@ -101,18 +100,18 @@ impl<S: Scalar, V> SelfContact<S, V> {
     }
 }
 
-/// What happens where particles meet.
+/// The law of contact between particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Law<S: Scalar> {
-    /// How far apart they keep.
+    /// The thickness, as the rest length of a contact.
     rest: Rest<S>,
     friction: S,
-    /// Nearer than so many columns and rows they are neighbours, which links hold.
+    /// Particles closer than so many columns and so many rows are neighbours, whose distance is left to links.
     neighbours: [usize; 2],
     /// The thickness in coarse numbers, rounded up.
     coarse: i32,
     flatness: Flatness,
-    /// The most pairs of tiles that are kept. With fewer nothing changes but the time it takes.
+    /// The most pairs of tiles that the list takes. A smaller capacity changes the computing time only.
     capacity: usize,
 }
 
@@ -130,27 +129,27 @@ impl<S: Scalar> Law<S> {
         }
     }
 
-    /// Whether links hold two particles together.
+    /// Whether two particles are neighbours.
     #[inline(always)]
     fn joins(&self, i: Node, j: Node) -> bool {
         i.column.abs_diff(j.column) < self.neighbours[0] && i.row.abs_diff(j.row) < self.neighbours[1]
     }
 
-    /// From where on particles that differ in speed by so much in a tick need not be watched, in coarse numbers.
+    /// The distance up to which particles are listed, in coarse numbers; `spread` is their largest difference of velocities.
     fn watch(&self, spread: S) -> i32 {
         let [least, most] = STRAY.map(|cells| (256.0 * cells) as i32);
         self.coarse + spread.coarse().saturating_add(least).min(most)
     }
 
-    /// By how much particles are moved apart in a substep that did not come together in it.
+    /// The most by which a substep moves particles apart beyond their approach in it.
     fn slow(&self, shift: u32) -> S {
         let d = self.rest.length;
         if shift > 0 { d.halve(shift - 1) } else { d }
     }
 }
 
-/// From how many cells of a side on particles are apart at rest by more than the thickness and a quarter, so that nothing pushes where the sheet is compressed a little.
-/// Along a side without length none ever are.
+/// The number of cells of a side from which on particles at rest are apart by the thickness and a quarter, so that a slightly compressed sheet has no contacts. Sides without
+/// length get a number beyond all grids.
 const fn apart(side: f64, thickness: f64) -> usize {
     let mut cells = 2;
     while cells < 1 << 15 && cells as f64 * side < 1.25 * thickness {
@@ -159,12 +158,12 @@ const fn apart(side: f64, thickness: f64) -> usize {
     cells
 }
 
-/// What a solver remembers, and which parts of its sheet may meet.
+/// The memory of the wrapped solver, and the list of parts of the sheet that may meet.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SelfContactMemory<M, const W: usize, const H: usize> {
     solver: M,
-    // found anew in every frame
+    // made again in the next frame
     #[cfg_attr(feature = "serde", serde(skip, default = "nothing"))]
     near: Near<W, H>,
 }
@@ -175,12 +174,12 @@ const fn nothing<const W: usize, const H: usize>() -> Near<W, H> {
 }
 
 impl<M, const W: usize, const H: usize> SelfContactMemory<M, W, H> {
-    /// What the solver remembers.
+    /// The memory of the wrapped solver.
     pub const fn solver(&mut self) -> &mut M {
         &mut self.solver
     }
 
-    /// How many pairs of particles met at once in the last frame, at most.
+    /// The largest number of pairs of particles in contact at once in the last frame.
     pub const fn contacts(&self) -> u32 {
         self.near.contacts
     }
@@ -206,7 +205,7 @@ impl<S: Scalar, V: Solver<S>> Solver<S> for SelfContact<S, V> {
     }
 }
 
-/// Moves particles by a substep of `solver`, and keeps them apart where there is a law.
+/// Moves particles by a substep of `solver`, with contacts of the sheet with itself if `own` has a law.
 #[inline(always)]
 pub(crate) fn substep<
     S: Scalar,
@@ -237,16 +236,16 @@ pub(crate) fn substep<
     }
 }
 
-/// The other parts of a sheet.
+/// The sheet as a collider for itself.
 #[derive(Clone, Copy)]
 struct Layers<'a, S: Scalar> {
     law: &'a Law<S>,
     list: List<'a>,
-    /// How many pairs of particles met at once.
+    /// The largest number of pairs of particles in contact at once.
     contacts: &'a Cell<u32>,
 }
 
-/// The other parts of the sheet, if it meets itself, beside all else that is in its way.
+/// The sheet as a collider for itself, if it has contacts with itself, and all other colliders.
 #[derive(Clone, Copy)]
 struct Beside<'a, S: Scalar, C> {
     layers: Option<Layers<'a, S>>,
@@ -300,7 +299,7 @@ mod tests {
     use crate::sheet::Sheet;
     use crate::solver::{Lines, Xpbd};
 
-    /// A sheet that falls in a heap has the same bits however few pairs are kept: with none, all pairs of particles are looked at in every substep.
+    /// A sheet that falls in a heap has the same bits however few pairs are kept: with none, all pairs of particles are checked in every substep.
     fn any_capacity<S: Scalar, V: Solver<S> + Copy>(solver: V) {
         const W: usize = 9;
         const H: usize = 14;

@@ -1,8 +1,8 @@
-//! Ways to move a sheet, a module each. Every one approximates the same differential equation
+//! The solvers, one module each. All approximate the same differential equation
 //!
 //! `m·a = m·g − m·γ·v + wind + Σ −k·(|d| − L)·d/|d| − k_d·(v_i − v_j)`
 //!
-//! and differs in order, cost and in how stiff a sheet may be.
+//! and differ in order, cost and in the stiffness that they can take.
 //!
 //! | solver | order | stable for | cost per substep | use it for |
 //! |---|---|---|---|---|
@@ -44,15 +44,15 @@ pub use physics::Physics;
 pub use verlet::Verlet;
 pub use xpbd::Xpbd;
 
-/// A way to move a sheet.
+/// A method that moves a sheet.
 pub trait Solver<S: Scalar> {
-    /// What the solver remembers of a sheet with such links from substep to substep, or needs within one.
+    /// The solver's state between substeps, and its working memory within one, for a sheet with links of type `L`.
     type Memory<L: Links<S>, const W: usize, const H: usize>;
 
-    /// Whether it decides on whole frames, in a [`frame`](Self::frame) of its own, as [`Resting`](crate::Resting) does. What works substep by substep does not stand around it.
+    /// Whether the solver overrides [`frame`](Self::frame) to decide on whole frames, as [`Resting`](crate::Resting) does. A solver that works substep by substep can't wrap it.
     const WHOLE_FRAMES: bool = false;
 
-    /// Memory for a sheet at the start of its motion.
+    /// The memory for a sheet at the start of its motion.
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H>;
 
     /// Moves `cloth` by the substeps of a frame up to its `end`. Cannot fail.
@@ -80,13 +80,13 @@ pub trait Solver<S: Scalar> {
     );
 }
 
-/// The memory of a solver that needs none. It says whose it is, so that a program need not.
+/// The memory of a solver that needs none. Its type names the sheet's number type and size, so that a program need not name them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 pub struct Stateless<S, const W: usize, const H: usize>(PhantomData<S>);
 
 impl<S, const W: usize, const H: usize> Stateless<S, W, H> {
-    /// Nothing.
+    /// An empty memory.
     pub const fn new() -> Self {
         Self(PhantomData)
     }

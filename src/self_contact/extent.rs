@@ -3,7 +3,7 @@
 /// Edges are kept in coarse numbers divided by 4, which are 64ths of a cell.
 const EDGE_SHIFT: u32 = 2;
 
-/// A box along the axes, in [coarse](crate::Scalar::coarse) numbers or, where it is kept, in coarser ones.
+/// An axis-aligned box, in [coarse](crate::Scalar::coarse) numbers or, once packed, in coarser ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Extent {
     pub(super) low: [i32; 3],
@@ -11,10 +11,10 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    /// Of nothing.
+    /// The empty box.
     pub(super) const EMPTY: Self = Self { low: [i32::MAX; 3], high: [i32::MIN; 3] };
 
-    /// The least box around both.
+    /// The smallest box around both.
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             low: core::array::from_fn(|axis| self.low[axis].min(other.low[axis])),
@@ -22,7 +22,7 @@ impl Extent {
         }
     }
 
-    /// Whether a place in one box is less than `reach` from one in the other.
+    /// Whether the distance between the boxes is less than `reach`.
     #[inline]
     pub(super) fn is_near(&self, other: &Self, reach: i32) -> bool {
         let mut squares = 0;
@@ -40,12 +40,12 @@ impl Extent {
     }
 }
 
-/// Bounds of a tile and of its edges, while it goes on as it moves.
+/// Bounds of a tile's particles and edges while they move on at their velocities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Bounds {
-    /// Of its particles.
+    /// The box of its particles.
     pub(super) places: Extent,
-    /// Of its edges along rows, and of those down columns.
+    /// The boxes of its edges, as vectors: along rows, and down columns.
     pub(super) edges: [Extent; 2],
 }
 
@@ -59,10 +59,10 @@ impl Bounds {
         }
     }
 
-    /// Keeps the spans of a tile along an axis in 12 numbers of 16 bits: places from an origin on, in coarse numbers divided by 2^`shift`, edges in 1/64 cell. What is too
-    /// large for them becomes the largest, which moves boxes together and makes edges unknown.
+    /// Packs the spans of a tile along an axis into 12 numbers of 16 bits: places relative to an origin, in coarse numbers divided by 2^`shift`, edges in 1/64 cell. Numbers
+    /// beyond the range become the largest, which brings boxes closer together and makes edges unknown.
     pub(super) fn pack(packed: &mut [i16; 12], axis: usize, spans: [[i32; 2]; 3], origin: [i32; 3], shift: u32) {
-        // as the compiler knows it
+        // so that the compiler leaves out bounds checks
         let axis = axis.min(2);
         let origin = origin[axis];
         let [places, edges @ ..] = spans;
@@ -92,11 +92,11 @@ impl Bounds {
     }
 }
 
-/// When a patch is so flat that none of its particles meet, but neighbours.
+/// A test whether a patch is so flat that none of its particles meet except neighbours.
 ///
-/// Let u be a direction of which every edge along a row has at least A > 0 and every edge down a column at most B in magnitude. Particles p columns and q rows apart, with
-/// p·a ≥ q·b for cells of a × b, are then at least p·A − q·B ≥ p·a·(A/a − B/b) apart along u. Those that are no neighbours have p·a ≥ m. For the others the same holds with the
-/// roles exchanged.
+/// Let u be a direction along which every edge of a row has a component of at least A > 0, and every edge of a column one of at most B in magnitude. Particles p columns and q
+/// rows apart, with p·a ≥ q·b for cells of a × b, are then at least p·A − q·B ≥ p·a·(A/a − B/b) apart along u. Unless they are neighbours, p·a ≥ m, the smaller extent of the
+/// neighbourhood along rows and columns. If p·a < q·b, exchange the roles of rows and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Flatness {
     /// m/a and m/b in 16ths, rounded down and up.
@@ -105,7 +105,7 @@ pub(super) struct Flatness {
 }
 
 impl Flatness {
-    /// For cells with these `sides`; particles that are so many columns or rows apart are no neighbours.
+    /// The test for cells with these `sides`; particles that are so many columns or rows apart are not `neighbours`.
     pub(super) const fn new(sides: [f64; 2], neighbours: [usize; 2]) -> Self {
         let [across, down] = [neighbours[0] as f64 * sides[0], neighbours[1] as f64 * sides[1]];
         let shortest = if across < down { across } else { down };
@@ -118,7 +118,7 @@ impl Flatness {
         Self { least: [parts[0] as i32, parts[1] as i32], most: [parts[0] as i32 + 1, parts[1] as i32 + 1] }
     }
 
-    /// Whether particles of a patch with such edges that are no neighbours are apart by `reach` (coarse) or more.
+    /// Whether all particles of a patch with such edges, except neighbours, are apart by `reach` (coarse) or more.
     pub(super) fn is_flat(&self, reach: i32, edges: &[Extent; 2]) -> bool {
         let known = |edges: &Extent| {
             let inside = |x: &i32| -127 < *x && *x < 127;
@@ -127,7 +127,7 @@ impl Flatness {
         edges.iter().all(known) && self.is_wide(reach, edges, 0) && self.is_wide(reach, edges, 1)
     }
 
-    /// Whether particles that are further apart along this family than along the other keep their distance.
+    /// The same for particles that are further apart along this family of edges than along the other.
     fn is_wide(&self, reach: i32, edges: &[Extent; 2], family: usize) -> bool {
         let (along, other) = (&edges[family], &edges[1 - family]);
         // twice the centre of the box
@@ -143,9 +143,9 @@ impl Flatness {
         }
         let across = most[1].max(-most[0]);
         let apart = self.least[family] * least - self.most[1 - family] * across;
-        // in 1/16 of what edges are counted in
+        // in 1/16 of the unit of edges
         let reach = (16 * (reach + 1)) >> EDGE_SHIFT;
-        // in 32 bits, which no processor puts together from halves
+        // all in 32 bits: small processors compose wider products of several
         4 * apart >= reach * root_above(16 * square)
     }
 }
@@ -200,7 +200,7 @@ mod tests {
         assert!(!a.is_near(&b, 5) && !b.is_near(&a, 5));
     }
 
-    /// Edges of a sheet at rest, each off by as much along every axis.
+    /// Edges of a sheet at rest, each with a deviation of up to `by` along every axis.
     fn about(edges: [[i32; 3]; 2], by: i32) -> [Extent; 2] {
         edges.map(|edge| Extent { low: edge.map(|x| x - by), high: edge.map(|x| x + by) })
     }

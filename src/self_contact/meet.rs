@@ -1,10 +1,9 @@
-//! Particles that meet.
+//! Contacts between particles.
 //!
-//! Two particles that are closer than the thickness d are moved apart along the line between them until they are d apart, and friction takes what they slid past each
-//! other in this substep, up to the coefficient times the depth. Heavier particles move less; equal ones move by the same, so that momentum is kept to the bit in fixed
-//! point.
+//! Two particles that are closer than the thickness d are moved apart along the line between them until they are d apart. Friction undoes their sliding past each other in this
+//! substep, up to the coefficient times the depth. Heavier particles move less; equal ones move by the same, so that momentum is kept to the bit in fixed point.
 //!
-//! What came together within the substep is undone at once; what was too close before is moved apart by 2·d a frame at most, so that nothing is thrown.
+//! An approach within the substep is undone at once. Particles that were too close before are moved apart by 2·d a frame at most, so that none is thrown.
 
 use crate::collider::{Contact, Meeting};
 use crate::grid::Node;
@@ -16,7 +15,7 @@ use super::Law;
 use super::near::{List, Pair, each_pair};
 use super::tiling::{Patch, Tiling, inside};
 
-/// Moves particles of quads in the list apart where they meet. Returns how many pairs met.
+/// Moves particles in contact apart, in the quads of the list. Returns the number of pairs in contact.
 pub(super) fn meet<S: Scalar, const W: usize, const H: usize>(
     law: &Law<S>,
     list: List<'_>,
@@ -42,14 +41,14 @@ pub(super) fn meet<S: Scalar, const W: usize, const H: usize>(
     apart.contacts
 }
 
-/// Two by two particles, or fewer where the sheet ends.
+/// Two by two particles, or fewer at the sheet's border.
 #[derive(Clone, Copy)]
 struct Block {
     nodes: [Node; 4],
     count: usize,
 }
 
-/// The x, y and z of a block's particles; the last one again where there are fewer.
+/// The x, y and z of a block's particles; in a block with fewer, the last one is repeated.
 type Places<S> = [[S; 4]; 3];
 
 impl Block {
@@ -92,7 +91,7 @@ fn is_close<S: Scalar>(at: Vec3<S>, places: &Places<S>, d: S) -> bool {
 
 struct Apart<'a, S: Scalar, M, const W: usize, const H: usize> {
     law: &'a Law<S>,
-    /// By how much particles are moved apart that did not come together in this substep, at most.
+    /// The most by which particles are moved apart beyond their approach in this substep.
     slow: S,
     particles: &'a mut Particles<S, W, H>,
     meeting: &'a mut M,
@@ -150,7 +149,7 @@ impl<S: Scalar, M: Meeting<S, W, H>, const W: usize, const H: usize> Apart<'_, S
         }
     }
 
-    #[inline(never)] // what seldom happens
+    #[inline(never)] // seldom called
     fn contact(&mut self, i: Node, j: Node, r: Vec3<S>) {
         let [i, j] = [i, j].map(inside::<W, H>);
         let [wi, wj] = [i, j].map(|node| self.particles.inverse_mass[node]);
@@ -168,7 +167,7 @@ impl<S: Scalar, M: Meeting<S, W, H>, const W: usize, const H: usize> Apart<'_, S
         self.meeting.separate(self.particles, [i, j], &contact);
     }
 
-    /// What friction takes of a relative displacement.
+    /// The part of a relative displacement that friction undoes.
     fn rubbed(&self, moved: Vec3<S>, normal: Vec3<S>, depth: S) -> Vec3<S> {
         let friction = self.law.friction;
         if friction == S::ZERO {
@@ -176,7 +175,7 @@ impl<S: Scalar, M: Meeting<S, W, H>, const W: usize, const H: usize> Apart<'_, S
         }
         let along = moved - normal * moved.dot(normal);
         let grip = S::narrow(friction.product(depth));
-        // mostly it holds, for which no root is needed
+        // most contacts stick, which needs no root
         if along.squared() <= grip.product(grip) { along } else { along * grip.divide(along.length()) }
     }
 }

@@ -1,4 +1,4 @@
-//! Which parts of a sheet may meet: pairs of quads, found once in a frame or more often.
+//! The list of parts of a sheet that may meet: pairs of quads, found once in a frame or more often. A sheet that hardly moves keeps its list for some frames.
 
 use crate::grid::{Grid, Node};
 use crate::moment::Moment;
@@ -10,37 +10,37 @@ use super::extent::{Bounds, Extent};
 use super::sweep::{Sweep, spread};
 use super::tiling::{Patch, TILE, Tiling};
 
-/// How far particles may go towards each other in the time that a list is made for, cells: a frame, or less where they are faster.
+/// The largest difference of velocities times the time for which a list is made, cells. The time is a frame, or less for faster particles.
 const FAR: f64 = 2.0;
 
-/// How far they may go beyond it before the list is made anew, coarse: a sixteenth of a cell. A sheet that hardly moves keeps its list for some frames.
+/// The distance by which particles may approach each other beyond that before the list is made again, coarse: a sixteenth of a cell.
 const SKIN: i32 = 16;
 
-/// Two tiles, and which quads of theirs are near each other.
+/// Two tiles, and their pairs of quads that are near each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Pair {
     pub(super) tiles: [u8; 2],
-    /// Bit 4·a + b: quad a of the one and quad b of the other.
+    /// Bit 4·a + b: quad a of the first tile and quad b of the second.
     pub(super) quads: u16,
 }
 
-/// Pairs of tiles that are near each other: four bytes a particle of them, and two of room for bounds.
+/// The pairs of tiles that are near each other, four bytes a particle, and two bytes a particle for bounds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Near<const W: usize, const H: usize> {
     bounds: Grid<i16, W, H>,
     pairs: Grid<Pair, W, H>,
     count: u16,
-    /// The first pair of tiles that the list had no place for.
+    /// The first pair of tiles for which the list had no space.
     beyond: Option<[u8; 2]>,
-    /// The last substep for which the list is good.
+    /// The last substep for which the list is valid.
     last: u32,
-    /// How far particles may still go towards each other, coarse.
+    /// The distance by which particles may still approach each other, coarse.
     skin: i32,
-    /// How many pairs of particles met at once in this frame, at most.
+    /// The largest number of pairs of particles in contact at once in this frame.
     pub(crate) contacts: u32,
 }
 
-/// The list of a grid of any size.
+/// The list, without the size of the grid in its type.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct List<'a> {
     pub(super) pairs: &'a [Pair],
@@ -69,7 +69,7 @@ impl<const W: usize, const H: usize> Near<W, H> {
         List { pairs, beyond: self.beyond }
     }
 
-    /// Makes the list anew where it is not good for a substep.
+    /// Makes the list again if it is not valid for a substep.
     #[inline]
     pub(super) fn follow<S: Scalar>(&mut self, particles: &Particles<S, W, H>, law: &Law<S>, moment: Moment) {
         if moment.substep == 1 {
@@ -91,7 +91,7 @@ impl<const W: usize, const H: usize> Near<W, H> {
         self.renew(particles, law, spread, halvings);
     }
 
-    #[inline(never)] // one for all solvers
+    #[inline(never)] // one copy for all solvers
     fn renew<S: Scalar>(&mut self, particles: &Particles<S, W, H>, law: &Law<S>, spread: S, halvings: u32) {
         let watch = law.watch(spread) + SKIN;
         (self.count, self.beyond) = (0, None);
@@ -135,7 +135,7 @@ impl<const W: usize, const H: usize> Near<W, H> {
     }
 }
 
-/// How often a tick is halved until nothing goes too far in it.
+/// The number of halvings of a tick after which velocities differ by at most [`FAR`] in it; no more than there are substeps.
 fn halvings<S: Scalar>(spread: S, substeps: u32) -> u32 {
     let mut halvings = 0;
     while spread.halve(halvings) > S::from_f64(FAR) && substeps >> halvings > 1 {
@@ -149,7 +149,7 @@ struct Search<'a, S: Scalar, const W: usize, const H: usize> {
     sweep: Sweep<'a, S, W, H>,
     tiles: &'a [[i16; TILE]],
     law: &'a Law<S>,
-    /// From where on boxes are not near.
+    /// The distance from which on boxes are not near.
     watch: i32,
     flat: [u32; 8],
 }
@@ -175,7 +175,7 @@ fn flat_blocks<S: Scalar, const W: usize, const H: usize>(tiles: &[[i16; TILE]],
     flat
 }
 
-/// Calls `visit` with pairs of tiles of a grid, in the one order in which they are looked at, until it says no.
+/// Calls `visit` with the pairs of tiles of a grid, always in this order, until it returns false.
 pub(super) fn each_pair<const W: usize, const H: usize>(mut visit: impl FnMut(usize, usize) -> bool) {
     let across = Tiling::<W, H>::ACROSS;
     for row in 0..Tiling::<W, H>::DOWN {
@@ -189,7 +189,7 @@ pub(super) fn each_pair<const W: usize, const H: usize>(mut visit: impl FnMut(us
     }
 }
 
-/// How much coarser places of tiles are kept on a large grid, so that 16 bits hold a sheet that is twice as long.
+/// The shift by which the places of tiles are coarser on a large grid, so that a sheet stretched to twice its length fits 16 bits.
 const fn shift<const W: usize, const H: usize>() -> u32 {
     let side = if W > H { W } else { H };
     let most = (2 * side).next_power_of_two() as u32;
@@ -197,7 +197,7 @@ const fn shift<const W: usize, const H: usize>() -> u32 {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Search<'_, S, W, H> {
-    /// Calls `found` with pairs of tiles that are near each other until it says no.
+    /// Calls `found` with pairs of tiles that are near each other until it returns false.
     fn pairs(&self, mut found: impl FnMut(Pair) -> bool) {
         let across = Tiling::<W, H>::ACROSS;
         let reach = (self.watch >> shift::<W, H>()) + 1;
@@ -241,12 +241,12 @@ impl<S: Scalar, const W: usize, const H: usize> Search<'_, S, W, H> {
         self.flat[corner / 32 % 8] >> (corner % 32) & 1 == 1
     }
 
-    /// The boxes of a tile's quads, and of all their particles.
+    /// The boxes of a tile's quads, and of their particles.
     fn ways(&self, tile: usize) -> [Ways; 4] {
         [0, 1, 2, 3].map(|quad| Ways::new(self.sweep, Tiling::<W, H>::quad(tile, quad)))
     }
 
-    /// Which quads of two tiles are near each other.
+    /// The pairs of quads of two tiles that are near each other, as [`Pair::quads`].
     fn near_quads(&self, of_a: &[Ways; 4], [a, b]: [usize; 2]) -> u16 {
         let of_b = if a == b { None } else { Some(self.ways(b)) };
         let mut near = 0;
@@ -263,7 +263,7 @@ impl<S: Scalar, const W: usize, const H: usize> Search<'_, S, W, H> {
         near
     }
 
-    /// Whether two quads have particles that are near each other and no neighbours.
+    /// Whether two quads have particles that are near each other, but not neighbours.
     fn have_a_pair(&self, a: &Ways, b: &Ways) -> bool {
         for (index, i) in a.patch.nodes().enumerate() {
             for (other, j) in b.patch.nodes().enumerate() {
@@ -278,12 +278,12 @@ impl<S: Scalar, const W: usize, const H: usize> Search<'_, S, W, H> {
     }
 }
 
-/// The ways of a quad's particles.
+/// The boxes around the ways of a quad's particles.
 struct Ways {
     patch: Patch,
-    /// Around all of them; of a patch without a particle, which no box is near, nothing.
+    /// The box around all of them; empty, and near no box, if the patch has no particle.
     all: Extent,
-    /// Of the first four.
+    /// The boxes of the first four.
     first: [Extent; 4],
 }
 
@@ -300,7 +300,7 @@ impl Ways {
         Self { patch, all, first }
     }
 
-    /// Of one of them.
+    /// The box of one of them.
     fn way<S: Scalar, const W: usize, const H: usize>(
         &self,
         index: usize,
@@ -310,7 +310,7 @@ impl Ways {
         if index < self.first.len() { self.first[index] } else { sweep.place(node) }
     }
 
-    /// Whether two quads are the same, or side by side or corner to corner in the sheet: their boxes always meet.
+    /// Whether two quads are the same, or side by side or corner to corner in the sheet: then their boxes are always near.
     fn is_beside(&self, other: &Self) -> bool {
         let (a, b) = (&self.patch, &other.patch);
         a.columns.start <= b.columns.end
@@ -330,7 +330,7 @@ mod tests {
 
     const SIDE: usize = 12;
 
-    /// A sheet that is bent, sheared and crumpled by more and more, and moves.
+    /// A moving sheet that is bent, sheared and crumpled, with an amplitude that grows over 16 seeds.
     fn patch(units: &Units, seed: u32) -> Cloth<f64, SIDE, SIDE> {
         let mut cloth = Cloth::<f64, SIDE, SIDE>::lay(units, units.point([0.0; 3]));
         let number = |k: u32| f64::from((seed * 7919 + k).wrapping_mul(2_654_435_761) >> 8) / f64::from(1 << 24) - 0.5;

@@ -1,4 +1,4 @@
-//! Bounds of particles for as long as they go on as they move.
+//! Bounds of particles while they move on at their velocities.
 
 use core::ops::Range;
 
@@ -10,11 +10,11 @@ use crate::vec3::Vec3;
 use super::extent::Extent;
 use super::tiling::{Tiling, inside};
 
-/// How particles are followed.
+/// Particles, and the time for which their motion is bounded.
 #[derive(Clone, Copy)]
 pub(super) struct Sweep<'a, S, const W: usize, const H: usize> {
     particles: &'a Particles<S, W, H>,
-    /// They go on for a tick, so many times halved.
+    /// The time is a tick, so many times halved.
     halvings: u32,
 }
 
@@ -33,8 +33,8 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Sweep<'a, S, W, H> {
         Extent { low: [x[0], y[0], z[0]], high: [x[1], y[1], z[1]] }
     }
 
-    /// Bounds the tiles of a row of them, and the edges that start there: `bound(tile, axis, spans)` is given the spans of places, of edges along rows and of those down
-    /// columns; a chain has no cells.
+    /// Bounds the tiles in a row of tiles, and the edges that start there. `bound(tile, axis, spans)` gets the spans of places, of edges along rows and of edges down columns.
+    /// A chain has no cells, and its spans of edges are empty.
     pub(super) fn tiles(self, row: usize, mut bound: impl FnMut(usize, usize, [[i32; 2]; 3])) {
         let first = row * Tiling::<W, H>::ACROSS;
         let rows = Tiling::<W, H>::tile(first).rows;
@@ -44,7 +44,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Sweep<'a, S, W, H> {
                 let Range { start, end } = Tiling::<W, H>::tile(tile).columns;
                 let cells = const { W > 1 && H > 1 };
                 let edges = if cells {
-                    // the last column's edges are those that lead to it
+                    // for the last column, the edges that lead to it
                     [across.within(start.min(W - 2), end.min(W - 1)), down.within(start, end)]
                 } else {
                     [[i32::MAX, i32::MIN]; 2]
@@ -54,14 +54,14 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Sweep<'a, S, W, H> {
         }
     }
 
-    /// Of some rows, column by column: the spans of places along an axis, of edges along rows, and of edges down.
+    /// The spans of some rows, column by column: of places along an axis, of edges along rows, and of edges down columns.
     fn columns(self, axis: usize, first: usize, end: usize) -> [Span<S, W>; 3] {
         let row = |row: usize| Line {
             place: component(&self.particles.position.0[row.min(H - 1)], axis),
             velocity: component(&self.particles.velocity.0[row.min(H - 1)], axis),
             halvings: self.halvings,
         };
-        // the last row's edges down are those that lead to it
+        // for the last row, the edges that lead down to it
         let upper = |row: usize| if row + 1 < H { row } else { row.saturating_sub(1) };
         let mut spans = [Span::NONE; 3];
         let [places, across, down] = &mut spans;
@@ -80,7 +80,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Sweep<'a, S, W, H> {
     }
 }
 
-/// A row along an axis.
+/// The components of a row along an axis.
 struct Line<'a, S, const W: usize> {
     place: &'a [S; W],
     velocity: &'a [S; W],
@@ -88,21 +88,21 @@ struct Line<'a, S, const W: usize> {
 }
 
 impl<S: Scalar, const W: usize> Line<'_, S, W> {
-    /// Where a particle is, and where it will be.
+    /// A particle's place now and at the end.
     #[inline(always)]
     fn way(&self, column: usize) -> [S; 2] {
         [self.place[column], self.place[column] + self.velocity[column].halve(self.halvings)]
     }
 
-    /// From a particle of another row to one of this, now and then.
+    /// The edge from a particle of another row to one of this row, now and at the end.
     #[inline(always)]
     fn edge(&self, column: usize, other: &Self, from: usize) -> [S; 2] {
         let ([now, then], [start, start_then]) = (self.way(column), other.way(from));
         [now - start, then - start_then]
     }
 
-    /// Takes its places and edges in, and the edges between two rows.
-    #[inline(never)] // so that rows and spans are known to be apart
+    /// Extends the spans by the row's places and edges, and by the edges between two rows.
+    #[inline(never)] // so that the compiler knows that rows and spans don't alias
     fn take(
         &self,
         above: &Self,
@@ -144,7 +144,7 @@ impl<S: Scalar, const W: usize> Span<S, W> {
         self.high[column] = self.high[column].max(now.max(then));
     }
 
-    /// Of some columns together; there is one at least.
+    /// The span of some columns together, at least one.
     fn within(&self, from: usize, end: usize) -> [i32; 2] {
         let of = |numbers: &[S; W], choose: fn(S, S) -> S| {
             let some = numbers.get(from..end).unwrap_or_default();
@@ -154,7 +154,7 @@ impl<S: Scalar, const W: usize> Span<S, W> {
     }
 }
 
-/// In coarse numbers, rounded outwards.
+/// A span in coarse numbers, rounded outwards.
 fn outwards<S: Scalar>([low, high]: [S; 2]) -> [i32; 2] {
     [low.coarse().saturating_sub(1), high.coarse().saturating_add(1)]
 }

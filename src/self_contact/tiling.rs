@@ -1,17 +1,17 @@
-//! How a grid is divided: square tiles of four quads each.
+//! The division of a grid into square tiles of four quads each.
 
 use core::ops::Range;
 
 use crate::grid::Node;
 
-/// 16-bit numbers that a tile's bounds take.
+/// The number of 16-bit numbers that a tile's bounds take.
 pub(super) const TILE: usize = 12;
 
 /// The tiles of a grid of `W` × `H` particles, row by row.
 pub(super) struct Tiling<const W: usize, const H: usize>;
 
 impl<const W: usize, const H: usize> Tiling<W, H> {
-    /// Particles along a tile's side: 4, or more where so many tiles could not be kept or counted.
+    /// Particles along a tile's side: 4, or more if there would be too many tiles to be kept or counted.
     pub(super) const SIDE: usize = {
         let mut side = 4;
         while !fits(W, H, side) {
@@ -19,11 +19,11 @@ impl<const W: usize, const H: usize> Tiling<W, H> {
         }
         side
     };
-    /// Tiles in a row of them.
+    /// Tiles in a row of tiles.
     pub(super) const ACROSS: usize = W.div_ceil(Self::SIDE);
     /// Rows of tiles.
     pub(super) const DOWN: usize = H.div_ceil(Self::SIDE);
-    /// Tiles.
+    /// The number of tiles.
     pub(super) const NUMBER: usize = Self::ACROSS * Self::DOWN;
 
     /// A tile's particles.
@@ -46,19 +46,19 @@ impl<const W: usize, const H: usize> Tiling<W, H> {
     }
 }
 
-/// Whether tiles of so many particles a side can be counted by a byte, and kept in two bytes a particle (a single one needs no place).
+/// Whether tiles of so many particles a side can be counted by a byte, and kept in two bytes a particle (a single tile is not kept).
 const fn fits(columns: usize, rows: usize, side: usize) -> bool {
     let number = columns.div_ceil(side) * rows.div_ceil(side);
     number == 1 || (number <= 256 && number * TILE <= columns * rows)
 }
 
-/// A node of the grid, as the compiler knows it: it is one already.
+/// The same node, limited to the grid, so that the compiler leaves out bounds checks.
 #[inline(always)]
 pub(super) fn inside<const W: usize, const H: usize>(node: Node) -> Node {
     Node { column: node.column.min(W - 1), row: node.row.min(H - 1) }
 }
 
-/// A rectangle of particles, which may have none.
+/// A rectangle of particles, which may be empty.
 #[derive(Clone, Debug)]
 pub(super) struct Patch {
     pub(super) columns: Range<usize>,

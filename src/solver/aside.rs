@@ -1,8 +1,8 @@
-//! Velocities while sweeps move positions.
+//! Velocities during sweeps.
 //!
-//! A correction of a position belongs to the velocity, too. Floats get it at once: the difference of two positions would lose its digits. Fixed point, whose sums are exact, gets
-//! it at the end: what a velocity has that is not its position's is set aside in its place, sweeps move positions alone, and the position's share is given back. (One by one the
-//! velocities of corrections would be rounded, which pushes a sheet aside.)
+//! A correction of a position changes the velocity, too. Floats add both at once: a velocity from the difference of two positions would lose digits. Fixed point, whose sums are
+//! exact, adds all velocity changes at the end. Before the sweeps, a velocity is set aside: the velocity that belongs to its position as a displacement is subtracted. Sweeps
+//! move positions alone; then the velocity that belongs to the new position is added. (Rounding the velocity change of each correction would push a sheet to one side.)
 
 use crate::grid::Node;
 use crate::moment::Moment;
@@ -10,7 +10,7 @@ use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
-/// The velocity without its position's share.
+/// The velocity, set aside: without its position's share.
 #[inline(always)]
 pub(super) fn set_aside<S: Scalar>(velocity: Vec3<S>, position: Vec3<S>, moment: Moment) -> Vec3<S> {
     if S::EXACT_SUMS { velocity - position.map(|x| moment.share(x)) } else { velocity }
@@ -31,7 +31,7 @@ pub(super) fn set_all_aside<S: Scalar, const W: usize, const H: usize>(
     change_all(particles, |velocity, position| velocity - moment.share(position));
 }
 
-/// Gives all velocities what sweeps have added to them.
+/// Adds to all velocities the changes by the sweeps.
 #[inline(always)]
 pub(super) fn give_all_back<S: Scalar, const W: usize, const H: usize>(
     particles: &mut Particles<S, W, H>,
@@ -54,15 +54,15 @@ fn change_all<S: Scalar, const W: usize, const H: usize>(
     }
 }
 
-/// Gives each velocity what `change` makes of it and its position.
-#[inline(never)] // of any length: a loop, where one of a known length would be written out
+/// Sets each velocity to `change(velocity, position)`.
+#[inline(never)] // for any length: a loop, which would be unrolled for a known length
 fn change_each<S: Scalar>(velocities: &mut [S], positions: &[S], change: impl Fn(S, S) -> S) {
     for (velocity, position) in velocities.iter_mut().zip(positions) {
         *velocity = change(*velocity, *position);
     }
 }
 
-/// Moves a particle of a row, whose velocities are set aside, within a sweep.
+/// Moves a particle of a row within a sweep, while velocities are set aside.
 #[inline(always)]
 pub(super) fn displace<S: Scalar, const W: usize>(
     position: &mut Vec3<[S; W]>,

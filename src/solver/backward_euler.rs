@@ -9,7 +9,7 @@
 //!
 //! `K = k·(n·nᵀ + max(0, 1 − L/|d|)·(I − n·nᵀ))`,
 //!
-//! positive definite because a compressed link's sideways stiffness, which is negative, is left out. That changes the way to the root, not the root.
+//! positive definite because the sideways stiffness of a compressed link, which is negative, is left out. This changes the iterations, not the root.
 
 mod gradients;
 
@@ -24,12 +24,12 @@ use crate::solver::{Physics, Solver, one_step};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-/// Backward Euler, first order, stable for any stiffness and step; it damps what it can't resolve (thesis, equation 4.10).
+/// Backward Euler, first order, stable for any stiffness and step; it damps vibrations that it can't resolve (thesis, equation 4.10).
 ///
 /// Wind acts with its strength at the start of the substep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BackwardEuler {
-    /// Newton steps in a substep, at least one. One linearises the forces once, as Baraff and Witkin do; three are at the root for usual steps.
+    /// Newton steps in a substep, at least one. One step linearises the forces once, as Baraff and Witkin do; three reach the root for usual steps.
     pub newton_steps: u32,
 }
 
@@ -104,7 +104,7 @@ impl<S: Scalar> Solver<S> for BackwardEuler {
     }
 }
 
-/// The linear system, divided by the largest κ if that exceeds one: its numbers then fit fixed point.
+/// The linear system, divided by the largest κ if that exceeds one, so that its numbers fit fixed point.
 struct System<S> {
     /// 1 + γ·h: drag adds to inertia.
     inertia: S,
@@ -187,8 +187,8 @@ fn clear_pins<S: Scalar, const W: usize, const H: usize>(
     });
 }
 
-/// min(1, 1/κ) over all families and dampers that have a link. The stiffest count as a million, which single
-/// precision still resolves, or as 65 536 in fixed point, whose last place such a spring takes for the force that moves a particle by 0.004 cells.
+/// min(1, 1/κ) over all families and dampers that have a link. κ counts as a million at most, which single precision still resolves, or as 65 536 in fixed point: there, a force
+/// of one last place moves a particle by 0.004 cells.
 fn scale<S: Scalar, const W: usize, const H: usize>(links: &impl Links<S>) -> S {
     struct Stiffest<S, const W: usize, const H: usize>(S);
     impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Stiffest<S, W, H> {

@@ -9,7 +9,7 @@ use crate::solver::one_step::field;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-/// The velocities that particles gain in a substep (cells per tick), gravity included, drag not.
+/// The velocity changes of particles in a substep (cells per tick), with gravity, without drag.
 pub(super) fn gains<S: Scalar, F: Force<S>, L: Links<S>, const W: usize, const H: usize>(
     forces: &F,
     links: &L,

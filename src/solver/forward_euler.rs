@@ -13,8 +13,7 @@ use crate::vectors::Vectors;
 
 /// Forward Euler, first order (thesis, among equations 4.7–4.13).
 ///
-/// Its amplification of an oscillation ω is √(1 + ω²h²) > 1: without damping every motion grows, and a stiff sheet explodes. Here to be
-/// seen beside the others.
+/// Its amplification of an oscillation ω is √(1 + ω²h²) > 1: without damping every motion grows, and a stiff sheet explodes. It is here for comparison with the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ForwardEuler;
 
@@ -26,7 +25,7 @@ impl ForwardEuler {
 }
 
 impl<S: Scalar> Solver<S> for ForwardEuler {
-    /// The force on every particle.
+    /// The velocity change of every particle by forces.
     type Memory<L: Links<S>, const W: usize, const H: usize> = Vectors<S, W, H>;
 
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Self::Memory<L, W, H> {

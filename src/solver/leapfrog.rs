@@ -14,8 +14,7 @@ use crate::vectors::Vectors;
 /// Leapfrog, second order, symplectic: energy oscillates but does not drift (thesis, among equations 4.7–4.13).
 ///
 /// Stable for h < 2/ω with `ω² = 4·(k + k_shear)/m` for a sheet of stretch and shear springs. Drag is integrated exactly. Where forces depend on
-/// velocities (aerodynamic wind, damped links) a substep takes a second force sum at the velocities predicted for its middle, which
-/// keeps the order.
+/// velocities (aerodynamic wind, damped links), a substep takes a second force sum at the velocities predicted for its middle, so that the order stays 2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Leapfrog;
 
@@ -26,7 +25,7 @@ impl Leapfrog {
     }
 }
 
-/// The force on every particle, and its velocity at the start of a substep.
+/// The velocity change of every particle by forces, and its velocity at the start of a substep.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(deserialize = "S: Scalar + serde::Deserialize<'de>")))]
@@ -79,7 +78,7 @@ impl<S: Scalar> Solver<S> for Leapfrog {
     }
 }
 
-/// Whether there is a damper. Where links are known when the program is compiled, so is this.
+/// Whether there is a damper; known at compile time if the links are.
 #[inline]
 fn is_damped<S: Scalar, L: Links<S>>(links: &L) -> bool {
     let mut seen = Seen(false);
@@ -89,7 +88,7 @@ fn is_damped<S: Scalar, L: Links<S>>(links: &L) -> bool {
     seen.0
 }
 
-/// Whether a family has been seen.
+/// Whether any family was shown.
 struct Seen(bool);
 
 impl<S: Scalar> Visitor<S> for Seen {

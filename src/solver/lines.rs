@@ -1,22 +1,41 @@
-//! The line solver: every row and every column of stretch links solved exactly, in second order.
+//! The line solver: every row and every column of stretch links is solved exactly. It is of second order in time.
 //!
-//! **In time** velocities follow BDF2 (C. Curtiss, J. Hirschfelder, 1952) and positions the three-level rule of the same order
+//! # Stages of a substep
 //!
-//! `v' = (4·v − v₋)/3 + (2/3)·h·a'`,  `x' = x + h·(4·v' + v + v₋)/6`,
+//! A substep is made in one or more equal parts, each with these stages:
 //!
-//! which needs one vector of history instead of two, is stable for any step, loses half as much energy as BDF2 for both, and halves what it can't resolve in
-//! every substep. In the first substep, whose history is missing, links follow backward Euler, which once costs no order, and the other forces their
-//! acceleration at its start, so that free fall is exact.
+//! 1. *Predict* ([`two_step`]). Particles move to where they would be at the end of the part without links.
+//! 2. *Damp* ([`pull`], [`viscosity`]). Dampers act on all velocities at once, by rows and columns. They assume that springs will change velocities as in the last part.
+//! 3. *Sweep* ([`relax`]). A sweep solves the other families of links, then all rows and all columns, and corrects positions and velocities. Between two sweeps, particles are
+//!    moved out of colliders. Sweeps go on until one finds every row within the tolerance.
+//! 4. *Confine* ([`contact`]). Limits and tethers are applied, then particles are moved out of colliders a last time.
+//! 5. *Damp again* ([`pull`]). Dampers act on the difference between the velocity changes of stages 3 and 4 and those assumed in stage 2.
+//! 6. *Remember*. The number of sweeps and the residual decide how the next part is solved; after the last part they decide into how many parts the next substep is [split].
 //!
-//! **Dampers** act on all velocities at once, by rows and columns, too ([`viscosity`]).
+//! # Rule in time
 //!
-//! **In space** a sweep solves the other families, all rows and all columns, one after the other; after each sweep, particles are moved out of colliders. Rows, columns and
-//! the diagonals of the cells are chains, each solved exactly ([`chain`], [`diagonal`]); diagonals up to κ = k·h²/m = 32 and all other links are relaxed
-//! one by one ([`pairs`]). Families pull each other out of shape, so sweeps go on until one finds every row within the tolerance: where the sheet swings two are
-//! enough, where it snaps taut more are spent, and [kept](sweeps) until a bounce is over. All multipliers start from nothing: on a stiff sheet a part of the last ones
-//! does not die away, and shakes it. They are looked at in the first sweep all the same, to tell what springs hold from what is left unsolved.
+//! Velocities follow BDF2 (C. Curtiss, J. Hirschfelder, 1952), positions the three-level rule of the same order
 //!
-//! **Steps too long for sweeps** are [split]: what a sweep leaves shrinks by 1 − c/N² on a grid of N particles a side, but with the square of the step.
+//! `v' = (4·v − v₋)/3 + (2/3)·h·a'`,  `x' = x + h·(4·v' + v + v₋)/6`.
+//!
+//! Compared with BDF2 for both, the pair needs one vector of history instead of two, and loses half as much energy. It is stable for any step, and halves unresolved vibrations
+//! in every substep. The first substep has no history. There, links follow backward Euler, which costs no order if done once. The other forces act with their acceleration at
+//! the start of the substep, and the missing v₋ is v − h·a, so that free fall is exact.
+//!
+//! # Sweeps
+//!
+//! Rows, columns and the diagonals of the cells are chains, each solved exactly ([`chain`], [`diagonal`]). Diagonals up to κ = k·h²/m = 32 (scaled by the [rule](rule) in time)
+//! and all other links are relaxed one by one ([`pairs`]).
+//!
+//! Each family disturbs the solution of the others, so one sweep is not enough. While the sheet swings, two are; where it snaps taut, more are made, and their number is
+//! [kept](sweeps) until the bounce is over.
+//!
+//! In every substep all multipliers start at zero. If they started from their last values, a part of these would not decay on a stiff sheet, and would shake it. The first sweep
+//! reads the last values all the same, to separate the strain that balances spring forces from the unsolved residual.
+//!
+//! # Steps too long for sweeps
+//!
+//! Such substeps are [split] into parts. On a grid of N particles a side, a sweep reduces the residual to 1 − c/N² of itself; shorter steps reduce it with the square of the step.
 
 mod chain;
 mod columns;
@@ -58,31 +77,31 @@ use split::{Outcome, Split};
 use streak::is_easy;
 use sweeps::Kept;
 
-/// Second order in time, exact along rows, columns and stiff diagonals: the solver for sheets that hardly stretch, an answer to the question of super-elasticity
-/// (thesis, section 6.2).
+/// The line solver, for sheets that hardly stretch: second order in time, exact along rows, columns and stiff diagonals. It is an answer to super-elasticity (thesis,
+/// section 6.2).
 ///
-/// The rule in time is stable for any stiffness and step, and substeps whose sweeps don't converge are split. Nearly rigid sheets in few substeps may go on trembling all the
-/// same: docs/line-solver.md says which.
+/// The rule in time is stable for any stiffness and step, and substeps whose sweeps don't converge are split. Nearly rigid sheets in few substeps may tremble all the same;
+/// docs/line-solver.md lists the cases.
 ///
-/// It remembers a multiplier of each link, and a vector a particle where links may be [damped](crate::link::Damped).
+/// Its memory has a vector for each particle, a multiplier for each link, and another vector for each particle where links may be [damped](crate::link::Damped).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lines {
-    /// Sweeps in every substep, at least one. More make a substep more accurate; the order is 2 with any number.
+    /// The least number of sweeps in a substep, at least one. More sweeps make a substep more accurate; the order is 2 with any number.
     pub sweeps: u32,
-    /// The largest strain of a row that needs no further sweep. Sheets in motion are strained by about as much.
+    /// Sweeps end once no row has a larger residual strain than this. Sheets in motion are strained by about as much.
     pub tolerance: f64,
-    /// The most sweeps in a substep, however strained rows are, and the most parts into which it is split where they don't get within twice the tolerance: what bounds the time
-    /// that a step takes. Sheets with a side of more than 32 particles may be split into 4 times as many parts, with one of more than 64 into 16 times as many.
+    /// The most sweeps in a substep, however large the residual, and the most parts into which a substep is split whose residual stays above twice the tolerance. Both bound the
+    /// time of a step. Sheets with a side of more than 32 particles may be split into 4 times as many parts, those with a side of more than 64 into 16 times as many.
     pub most_sweeps: u32,
 }
 
 impl Lines {
-    /// Two sweeps or more: what most scenes want.
+    /// At least two sweeps in a substep, for most scenes.
     pub const fn new() -> Self {
         Self::with_sweeps(2)
     }
 
-    /// At least `sweeps` sweeps in a substep, and at most 16, until rows are strained by no more than 2 %.
+    /// At least `sweeps` sweeps in a substep, and at most 16 (or `sweeps` if that is more), until the residual strain of rows is at most 2 %.
     ///
     /// # Panics
     /// At compile time in a constant: for no sweeps.
@@ -92,7 +111,7 @@ impl Lines {
         Self { sweeps, tolerance: 0.02, most_sweeps: if sweeps > 16 { sweeps } else { 16 } }
     }
 
-    /// The same, until rows are strained by no more than `tolerance`.
+    /// The same with another [`tolerance`](Self::tolerance).
     ///
     /// # Panics
     /// At compile time in a constant: for a tolerance that is not positive and finite.
@@ -110,13 +129,13 @@ impl Default for Lines {
     }
 }
 
-/// The most sweeps before a substep is split rather than swept on, unless more are asked for: what more of them do is done better by shorter steps.
+/// The most sweeps where splitting helps, unless the caller asks for more: beyond that number, shorter steps reduce the residual better than further sweeps.
 const PATIENCE: u32 = 4;
 
-/// The strain in a row, found by the last sweep, from which on the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
+/// The residual strain above which the next substep is backward Euler: BDF2 does not recover from a scrambled sheet.
 const ROUGH: f64 = 0.1;
 
-/// What a sheet's motion leaves behind.
+/// The line solver's state between substeps.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -126,12 +145,12 @@ const ROUGH: f64 = 0.1;
     ))
 )]
 pub struct LinesMemory<S, T, P, const W: usize, const H: usize> {
-    /// The velocity before the last substep, cells per tick.
+    /// The velocities at the start of the last substep, cells per tick.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::saved::finite"))]
     earlier: Vectors<S, W, H>,
-    /// The multiplier of each link in the last sweep, at its upper or left particle, in cells over the dividend of the link's strength.
+    /// The multiplier of each link after the last sweep, at its upper or left particle, in cells over the dividend of the link's strength.
     multipliers: T,
-    /// What springs did beside dampers in the last substep: x, y and z.
+    /// The velocity changes by springs and contacts in the last substep, as the dampers of the next one assume them: x, y and z.
     pull: P,
     kept: Kept,
     split: Split,
@@ -140,7 +159,7 @@ pub struct LinesMemory<S, T, P, const W: usize, const H: usize> {
 }
 
 impl<S: Scalar, T: Blank, P: Blank, const W: usize, const H: usize> LinesMemory<S, T, P, W, H> {
-    /// What a solver starts with: nothing but zeros.
+    /// The memory at the start of a motion, all zeros.
     pub const BLANK: Self = Self {
         earlier: Vectors::filled(Vec3::ZERO),
         multipliers: T::BLANK,
@@ -153,11 +172,12 @@ impl<S: Scalar, T: Blank, P: Blank, const W: usize, const H: usize> LinesMemory<
 }
 
 impl<S: Scalar, T, P, const W: usize, const H: usize> LinesMemory<S, T, P, W, H> {
-    /// What the sweeps of the last substep left: the largest strain of a row that a last sweep found before it solved the row; of a substep that was split, the largest of all
-    /// its parts. What springs hold themselves is left out; of a single sweep, what they held before it.
+    /// The residual of the last substep: the largest strain of a row that the last sweep found before it solved the row, and over all parts if the substep was split.
+    /// The strain that balances the spring forces is not counted; after a single sweep, the forces are those of the substep before. In fixed point, columns and diagonals that were
+    /// regularised count as well.
     ///
-    /// Up to twice the [tolerance](Lines::tolerance) a substep is as accurate as its step allows. Where it stays above, the sheet has all the sweeps and parts that it may have,
-    /// and more of either ([`Lines::most_sweeps`]) or shorter steps would change what it does.
+    /// Up to twice the [tolerance](Lines::tolerance), a substep is as accurate as its step allows. If the residual stays above, the sheet already has all the sweeps and parts that
+    /// it may have, and more of either ([`Lines::most_sweeps`]) or shorter steps would change its motion.
     ///
     /// ```
     /// use kerchief::{Cloth, Gravity, Lines, Scene, Stretch, Units};
@@ -176,7 +196,7 @@ impl<S: Scalar, T, P, const W: usize, const H: usize> LinesMemory<S, T, P, W, H>
     }
 }
 
-/// The multipliers of links, and what is remembered beside dampers.
+/// The solver's state for links of type `L`.
 type MemoryOf<S, L, const W: usize, const H: usize> = LinesMemory<
     S,
     <<L as Links<S>>::Directions as Count>::Array<Grid<S, W, H>>,
@@ -185,15 +205,15 @@ type MemoryOf<S, L, const W: usize, const H: usize> = LinesMemory<
     H,
 >;
 
-/// What is known of the past.
+/// The history that the rule in time can use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 enum History {
-    /// Nothing.
+    /// None: the first substep.
     None,
-    /// The last substep ended far from a solution.
+    /// None: the last substep ended far from a solution, or parts changed their length.
     Rough,
-    /// The velocity before the last substep.
+    /// The velocities at the start of the last substep.
     Velocity,
 }
 
@@ -233,16 +253,16 @@ impl<S: Scalar> Solver<S> for Lines {
         if memory.split.learn(&outcome, S::from_f64(self.tolerance), W.max(H), self.most_sweeps) {
             memory.history = History::Rough;
             memory.kept = Kept::NONE;
-            // those of a part of another length
+            // they belong to parts of another length
             memory.multipliers.as_mut().fill(Grid::filled(S::ZERO));
         }
     }
 }
 
 impl Lines {
-    /// Moves particles by a part of a substep: a half, a quarter and so on, `split` times halved.
+    /// Moves particles by one part of a substep, which is halved `split` times.
     ///
-    /// Its stages: predict, damp, sweep until satisfied, contacts, dampers' second turn, remember.
+    /// Its stages are those of the [module](self): predict, damp, sweep, confine, damp again, remember.
     fn part<S: Scalar, F: Force<S>, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
         physics: Physics<'_, F, L, C>,
@@ -255,7 +275,7 @@ impl Lines {
         let rule = TimeRule::new(memory.history, forces.drag().rate, moment, split);
         let budget = self.budget(split, memory.kept);
 
-        // what friction looks back to
+        // friction acts on displacements from here
         let start = (colliders.is_present() || colliders.meets()).then_some(particles.position);
         two_step::predict(forces, particles, memory, moment, split);
         let LinesMemory { earlier, multipliers, pull, history, .. } = memory;
@@ -274,14 +294,14 @@ impl Lines {
         Outcome { mendable: swept.mendable, few: swept.count <= budget.least }
     }
 
-    /// The sweeps that a part of a substep may have that is halved `split` times.
+    /// The limits on the number of sweeps in a part of a substep that is halved `split` times.
     fn budget(&self, split: u32, kept: Kept) -> Budget {
         let most = (self.most_sweeps >> split).max(1);
         let least = self.sweeps.clamp(1, most);
         Budget { least, wanted: least.max(kept.number()), most }
     }
 
-    /// Sweeps over all links until every row is within the tolerance, or no more sweeps are left.
+    /// Sweeps over all links until every row is within the tolerance or the budget is spent.
     #[inline(always)]
     fn sweep<S: Scalar, L: Links<S>, C: Collider<S>, const W: usize, const H: usize>(
         &self,
@@ -294,7 +314,7 @@ impl Lines {
     ) -> Swept<S> {
         aside::set_all_aside(particles, rule.moment);
         let mut relax = Relax::new(particles, multipliers, rule.moment, rule.stiffness);
-        // neither overstretched links nor light particles gain by shorter steps
+        // shorter steps help neither overstretched links nor light particles
         let none_is_light = relax.none_is_light;
         let gains_by_splitting = |found: S| found <= S::ONE && none_is_light;
         let most = |found: S| {
@@ -303,7 +323,7 @@ impl Lines {
         let tolerance = S::from_f64(self.tolerance);
         let (mut before, mut found, mut count) = (S::ZERO, relax.sweep(links, true), 1);
         while count < most(found) && (count < budget.wanted || found > tolerance) {
-            // between the sweeps, so that links answer to what a collider does to them
+            // between the sweeps, so that links respond to the displacements by colliders
             contacts.resolve(relax.particles, true);
             (before, found) = (found, relax.sweep(links, false));
             count += 1;
@@ -318,24 +338,24 @@ impl Lines {
     }
 }
 
-/// The sweeps that a part of a substep may have.
+/// The limits on the number of sweeps in a part of a substep.
 struct Budget {
-    /// At least so many.
+    /// The least number that the caller asks for.
     least: u32,
-    /// So many, whatever they find: those that are kept.
+    /// The number made whatever the residual: the kept one, if that is more.
     wanted: u32,
-    /// So many at most.
+    /// The most.
     most: u32,
 }
 
-/// What the sweeps of a part of a substep found.
+/// The result of the sweeps in a part of a substep.
 struct Swept<S> {
-    /// How many there were.
+    /// The number of sweeps.
     count: u32,
-    /// The largest strain of a row that the last one found.
+    /// The largest strain of a row that the last sweep found.
     residual: S,
-    /// The same as far as shorter steps leave less: what is overstretched comes together by sweeps, and shorter steps would throw it.
+    /// The residual, or zero where shorter steps would not reduce it: sweeps bring overstretched links together, shorter steps would throw their particles.
     mendable: S,
-    /// Whether one sweep fewer would have done.
+    /// Whether one sweep fewer would have been enough.
     easy: bool,
 }

@@ -1,4 +1,4 @@
-//! Where particles would go without links, by the rules that look back one step: the first half of the constraint solvers.
+//! The prediction of a substep without links by one-step rules, the first half of the constraint solvers.
 
 use crate::force::{Force, Row};
 use crate::grid::{Grid, Node};
@@ -9,8 +9,8 @@ use crate::vec3::Vec3;
 
 /// Gives every particle the velocity `next(velocity, gain)`, and then the position and velocity `go(position, velocity)`.
 ///
-/// Row by row: a row has all its wind once the cells below it are done, and no later row looks back at it. So the wind needs two rows
-/// of memory, and acts on the positions and velocities of one moment.
+/// Row by row: the wind on a row is complete once the cells below it are done, and no later row reads it. So the wind needs two rows of memory, and acts on positions and
+/// velocities of the same time.
 #[inline]
 pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     forces: &F,
@@ -19,7 +19,7 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     go: impl Fn(Vec3<S>, Vec3<S>) -> [Vec3<S>; 2],
 ) {
     let (is_field, uniform) = (forces.is_field(), forces.uniform());
-    // in turn, so that no row is copied
+    // used in turn, so that no row is copied
     let mut gains = [Vec3::row(Vec3::ZERO); 2];
     for row in 0..H {
         let [even, odd] = &mut gains;
@@ -43,7 +43,7 @@ pub(super) fn predict<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     }
 }
 
-/// Completes what the fields give to a row of particles of mass 1, and puts into the second row what they give to the next so far.
+/// Completes the velocity changes `gain` of a row by fields, for particles of mass 1, and sets `below` to those of the next row by the cells between the two.
 #[inline]
 pub(super) fn field<S: Scalar, F: Force<S>, const W: usize, const H: usize>(
     forces: &F,

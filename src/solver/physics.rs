@@ -1,4 +1,4 @@
-//! All that acts on a sheet, and the stages that solvers make of it.
+//! The forces, links and colliders of a scene, and stages of a substep for solvers.
 
 use crate::collider::{Collider, resolve};
 use crate::force::Force;
@@ -11,9 +11,9 @@ use crate::vectors::Vectors;
 
 use super::{force_sum, one_step, sweep};
 
-/// All that acts on a sheet.
+/// The forces, links and colliders that act on a sheet.
 ///
-/// Its methods are stages of a substep, for solvers of one's own as for the crate's. Position-based dynamics with three sweeps, without drag:
+/// Its methods are stages of a substep, for the crate's solvers and your own. Position-based dynamics with three sweeps, without drag:
 ///
 /// ```
 /// use kerchief::link::Links;
@@ -50,15 +50,15 @@ use super::{force_sum, one_step, sweep};
 /// ```
 #[derive(Debug)]
 pub struct Physics<'a, F, L, C> {
-    /// What pulls from outside.
+    /// The external forces.
     pub forces: &'a F,
-    /// What holds particles together.
+    /// The links between particles.
     pub links: &'a L,
-    /// What is in the way.
+    /// The obstacles.
     pub colliders: &'a C,
 }
 
-// not derived: references are copied whatever they refer to
+// not derived: a derive would ask for `Copy` of F, L and C
 impl<F, L, C> Copy for Physics<'_, F, L, C> {}
 
 impl<F, L, C> Clone for Physics<'_, F, L, C> {
@@ -77,8 +77,8 @@ impl<F, L, C> Physics<'_, F, L, C> {
         one_step::damp(self.links, particles);
     }
 
-    /// Moves particles as if nothing held them together, to where [`sweep`](Self::sweep) starts from: each that is free gets the velocity that `next` makes of its velocity
-    /// and of what it gains in a substep (cells per tick), and goes on with it. Wind is that of the positions and velocities before.
+    /// Moves particles without links, to the start of a [`sweep`](Self::sweep). Each free particle gets the velocity `next(velocity, gain)`, where `gain` is its velocity change
+    /// by forces in a substep (cells per tick), and moves with it. Wind acts on the positions and velocities before.
     #[inline]
     pub fn predict<S: Scalar, const W: usize, const H: usize>(
         self,
@@ -92,8 +92,8 @@ impl<F, L, C> Physics<'_, F, L, C> {
         one_step::predict(self.forces, particles, next, sweep::go::<S, L>(moment));
     }
 
-    /// Projects every spring `parts` times, each time at one part in `parts` of its stiffness. Particles have been [predicted](Self::predict), and nothing else has moved
-    /// them since: in fixed point sweeps complete the velocities that a prediction sets aside.
+    /// Projects every spring `parts` times, each time with one part in `parts` of its stiffness. Particles must have been [predicted](Self::predict) and not moved since: in fixed
+    /// point, a prediction leaves velocities incomplete, and sweeps complete them.
     #[inline]
     pub fn sweep<S: Scalar, const W: usize, const H: usize>(
         self,
@@ -106,7 +106,7 @@ impl<F, L, C> Physics<'_, F, L, C> {
         sweep::sweeps(self.links, particles, moment, parts);
     }
 
-    /// What free particles gain in a substep from forces, springs and dampers where they are (cells per tick), for explicit rules.
+    /// The velocity changes of free particles in a substep by forces, springs and dampers at the present positions (cells per tick), for explicit rules.
     #[inline]
     pub fn gains<S: Scalar, const W: usize, const H: usize>(
         self,
@@ -120,7 +120,7 @@ impl<F, L, C> Physics<'_, F, L, C> {
         force_sum::gains(self.forces, self.links, particles, moment.shift, gain);
     }
 
-    /// Ends a substep: what links and colliders forbid is undone.
+    /// Ends a substep: applies the limits of links, and moves particles out of colliders.
     #[inline]
     pub fn confine<S: Scalar, const W: usize, const H: usize>(self, particles: &mut Particles<S, W, H>, moment: Moment)
     where

@@ -11,9 +11,9 @@ use crate::scalar::{Rest, Rounding, Scalar};
 use crate::solver::{aside, unit_mass};
 use crate::vec3::Vec3;
 
-/// Lets a particle go with its velocity for a substep, to where [`sweeps`] start from.
+/// Moves a particle with its velocity for a substep, to the start of [`sweeps`].
 ///
-/// For sweeps its velocity is set [aside].
+/// If there are links to sweep over, its velocity is set [aside].
 #[inline(always)]
 pub(super) fn go<S: Scalar, L: Links<S>>(moment: Moment) -> impl Fn(Vec3<S>, Vec3<S>) -> [Vec3<S>; 2] {
     move |position, velocity| {
@@ -23,7 +23,7 @@ pub(super) fn go<S: Scalar, L: Links<S>>(moment: Moment) -> impl Fn(Vec3<S>, Vec
     }
 }
 
-/// Projects every spring `parts` times, each time at one part in `parts` of its stiffness. Particles have been let [`go`].
+/// Projects every spring `parts` times, each time with one part in `parts` of its stiffness. Particles have been moved by [`go`].
 #[inline]
 pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     links: &L,
@@ -42,7 +42,7 @@ pub(super) fn sweeps<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     aside::give_all_back(particles, moment);
 }
 
-/// `1/parts`. More parts than fixed point counts are the reciprocal of so many 2ⁿths.
+/// `1/parts`. Numbers of parts beyond the range of fixed point are divided by 2ⁿ first.
 fn part_of<S: Scalar>(parts: u32) -> S {
     if parts == 1 {
         return S::ONE;
@@ -60,7 +60,7 @@ struct Project<'a, S, const W: usize, const H: usize> {
     rounding: Rounding,
     /// The part of its stiffness with which a spring is projected.
     part: S,
-    /// Rows of nothing but particles of mass 1: their masses need not be looked at.
+    /// The rows whose particles all have mass 1, so that no mass is checked.
     unit_mass: [bool; H],
 }
 
@@ -87,7 +87,7 @@ impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
                 self.displace(a, by * wa);
                 self.displace(b, -(by * wb));
             } else {
-                // between heavy particles: times their inverse masses it is a part again, which fixed point needs
+                // heavy particles: times an inverse mass, `part` is at most 1, as fixed point needs
                 self.displace(a, d.correction(rest, part * wa, self.rounding));
                 self.displace(b, -d.correction(rest, part * wb, self.rounding));
             }
@@ -101,7 +101,7 @@ impl<S: Scalar, const W: usize, const H: usize> Project<'_, S, W, H> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Visitor<S> for Project<'_, S, W, H> {
-    #[inline(never)] // one for all scenes of a grid
+    #[inline(never)] // one copy for all scenes of a grid
     fn family<const ACROSS: usize, const DOWN: usize>(&mut self, family: &Family<S>) {
         let strength = if self.part == S::ONE { family.strength } else { family.strength.scaled(self.part) };
         // nearly all links join two unit-mass particles: their quotient is formed once, and their masses need no product

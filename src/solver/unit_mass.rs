@@ -1,9 +1,9 @@
-//! Where all particles have mass 1, products with their masses are skipped; rows of nothing but pins are skipped as a whole.
+//! Rows and columns whose particles all have mass 1, where products with masses are skipped, and rows of pins, which are skipped as a whole.
 
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 
-/// The rows and columns of nothing but particles of mass 1, and the rows of nothing but pins.
+/// The rows and columns whose particles all have mass 1, and the rows whose particles are all pins.
 #[derive(Clone, Copy)]
 pub(super) struct UnitMass<const W: usize, const H: usize> {
     pub(super) pinned: [bool; H],
@@ -11,7 +11,7 @@ pub(super) struct UnitMass<const W: usize, const H: usize> {
     pub(super) columns: [bool; W],
 }
 
-/// The rows of nothing but particles of mass 1.
+/// The rows whose particles all have mass 1.
 pub(super) fn rows<S: Scalar, const W: usize, const H: usize>(particles: &Particles<S, W, H>) -> [bool; H] {
     core::array::from_fn(|row| particles.inverse_mass.0[row].iter().all(|&w| w == S::ONE))
 }

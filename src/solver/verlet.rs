@@ -11,9 +11,9 @@ use crate::vec3::Vec3;
 
 /// Position Verlet `x' = x + (1 − D)·(x − x_old) + h²·a` (thesis, among equations 4.7–4.13, and listing 5.5), then `sweeps` relaxations of all springs.
 ///
-/// Position and last displacement are kept instead of two positions, which is the same and loses no digits. Each of the K sweeps relaxes a
+/// Position and last displacement are kept instead of two positions, which is equivalent and loses no digits. Each of the K sweeps relaxes a
 /// spring with a K-th of its stiffness, so that the method approximates springs of finite stiffness for any K, in first order. Too few
-/// sweeps leave a stiff sheet *super-elastic* (thesis, section 6.2): news travels one link a sweep.
+/// sweeps leave a stiff sheet *super-elastic* (thesis, section 6.2): corrections propagate by one link a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Verlet {
     /// Relaxations of all springs in a substep, at least one.
@@ -34,7 +34,7 @@ impl Default for Verlet {
 }
 
 impl<S: Scalar> Solver<S> for Verlet {
-    /// Nothing.
+    /// Empty.
     type Memory<L: Links<S>, const W: usize, const H: usize> = Stateless<S, W, H>;
 
     #[track_caller]

@@ -23,7 +23,7 @@ impl Xpbd {
 }
 
 impl<S: Scalar> Solver<S> for Xpbd {
-    /// Nothing.
+    /// Empty.
     type Memory<L: Links<S>, const W: usize, const H: usize> = Stateless<S, W, H>;
 
     fn memory<L: Links<S>, const W: usize, const H: usize>(&self) -> Stateless<S, W, H> {

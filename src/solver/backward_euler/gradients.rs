@@ -1,8 +1,8 @@
-//! Conjugate gradients (M. Hestenes, E. Stiefel, 1952), with all the digits that fixed point has.
+//! Conjugate gradients (M. Hestenes, E. Stiefel, 1952), scaled to use all digits of fixed point.
 //!
-//! Beside a stiff spring a particle's inertia is a small number. Of a small direction its part of the product would round to nothing: nothing would keep the sheet
-//! from moving as a whole, and it flew away. So in fixed point residual and direction are counted in a unit in which the largest component lies between 1 and 2,
-//! and products in one of their own.
+//! Compared to a stiff spring, a particle's inertia is a small number. Its part of the product with a small direction would round to zero. Then nothing would keep the sheet from
+//! moving as a whole, and it flew away. So in fixed point, residual and direction are in a unit in which the largest component lies between 1 and 2, and products in a unit of
+//! their own.
 
 use super::BackwardEulerMemory;
 use crate::grid::each_node;
@@ -10,29 +10,28 @@ use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-/// The most steps. About the number of particles a side times the square root of κ suffice.
+/// The most steps. About the number of particles a side times the square root of κ is enough.
 const MOST_STEPS: u32 = 200;
 
-/// The residual, relative to that of the start, at which they end.
+/// The residual, relative to that at the start, at which the steps end.
 const TOLERANCE: f64 = 1e-3;
 
-/// The steps for which they go on in fixed point although the residual shrinks no more: round-off is all that is left of it, and in it they turn in circles,
-/// further out with each turn.
+/// The most steps in fixed point after the smallest residual so far. From then on the residual is round-off, and further steps go in growing circles.
 const PATIENCE: u32 = 24;
 
-/// The largest component of what fixed point multiplies: a sum of products over the 12 links of a particle then stays in range.
+/// The largest component of a direction or a product in fixed point: the sum of products over the 12 links of a particle then stays in range.
 const LARGE: i32 = 2;
 
 /// The largest product of a component with a particle's mass, likewise.
 const HEAVY: i32 = 64;
 
-/// The longest step and the sharpest turn in fixed point, likewise.
+/// The largest step length and the largest factor of the last direction in the next one in fixed point, likewise.
 const LONG: i32 = 16;
 
-/// The logarithm to base 2 of by how much more than [`LARGE`] a particle moves at most, cells.
+/// The logarithm to base 2 of the factor by which a displacement may exceed [`LARGE`] cells.
 const FAR: i32 = 5;
 
-/// Solves for `memory.step` what `multiply` makes `memory.residual` of it, with masses up to `heaviest`; the residual is used up.
+/// Solves `multiply(memory.step) = memory.residual` for masses up to `heaviest`; the residual is overwritten.
 pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
     memory: &mut BackwardEulerMemory<S, W, H>,
     heaviest: S,
@@ -45,9 +44,9 @@ pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
     let long = S::from_int(LONG);
     let large = S::from_int(LARGE).min(S::from_int(HEAVY).divide(heaviest));
     let mut squared = dot(residual, residual);
-    // of the square at the start, now and at best
+    // the squared residual relative to the start, now and at best
     let (mut part, mut best, mut age) = (S::ONE, S::ONE, 0);
-    // residual and direction count 2^-unit
+    // residual and direction are in units of 2^-unit
     let mut unit = 0;
     for _ in 0..MOST_STEPS {
         let lift = residual.largest().max(direction.largest()).headroom(large);
@@ -84,7 +83,7 @@ pub(super) fn solve<S: Scalar, const W: usize, const H: usize>(
             (best, age) = (part, 0);
         }
         squared = next;
-        // or all over again
+        // else start again from the residual
         let turn = if turn.is_within(long) { turn } else { S::ZERO };
         each_node::<W, H>(|node| {
             direction.set(node, residual.at(node) + direction.at(node) * turn);
@@ -96,7 +95,7 @@ fn dot<S: Scalar, const W: usize, const H: usize>(a: &Vectors<S, W, H>, b: &Vect
     a.values().zip(b.values()).fold(S::EMPTY, |sum, (a, b)| S::accumulate(sum, a.dot_wide(b)))
 }
 
-/// Whether a residual that counts 2^-unit is round-off alone: in fixed point no more than three units of the last place.
+/// Whether a residual in units of 2^-unit is round-off alone: in fixed point, at most three units of the last place.
 fn is_round_off<S: Scalar, const W: usize, const H: usize>(residual: &Vectors<S, W, H>, unit: i32) -> bool {
     S::EXACT_SUMS && residual.largest() <= S::from_f64(3.0 * S::RESOLUTION).double(unit.max(0) as u32)
 }

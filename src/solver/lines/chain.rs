@@ -5,9 +5,9 @@
 //!
 //! `(a·(w_i + w_{i+1}) + b)·μ_i − a·w_i·(n_{i−1}·n_i)·μ_{i−1} − a·w_{i+1}·(n_i·n_{i+1})·μ_{i+1} = |d_i| − L`.
 //!
-//! Elimination and substitution solve it ([`tridiagonal`](super::tridiagonal)), where Gauss–Seidel carries news one link a sweep. With equal masses and one end free the
-//! pivots stay between a·w and 2·a·w + b. Every chain goes through the same stages: gather what its links are, eliminate, substitute, move its particles, and correct what
-//! is [taut](super::geometric_stiffness).
+//! Elimination and substitution solve it in one pass each ([`tridiagonal`](super::tridiagonal)); Gauss–Seidel would propagate a correction by one link a sweep. With equal
+//! masses and one end free, the pivots stay between a·w and 2·a·w + b. Every chain goes through the same stages: gather the links' directions and residuals, eliminate,
+//! substitute, move the particles, and add the [geometric stiffness correction](super::geometric_stiffness) if the chain is taut.
 
 use crate::link::Quotient;
 use crate::moment::Moment;
@@ -19,7 +19,7 @@ use super::exponent::Exponent;
 use super::geometric_stiffness::TAUT;
 use super::regularise::harmless;
 
-/// Links of one kind.
+/// The links of one family, and the data that all their chains share.
 pub(super) struct Chain<'a, S: Scalar, const W: usize, const H: usize> {
     pub(super) rest: &'a Rest<S>,
     pub(super) strength: Quotient<S>,
@@ -27,31 +27,31 @@ pub(super) struct Chain<'a, S: Scalar, const W: usize, const H: usize> {
     pub(super) rounding: Rounding,
     pub(super) unit_mass: &'a UnitMass<W, H>,
     pub(super) exponent: Exponent,
-    /// The least inverse mass over the largest that is more than 1.
+    /// The least positive inverse mass, divided by the largest if that is more than 1.
     pub(super) span: S,
 }
 
-/// Whether products with masses are skipped where all are 1: not where they cost no more than looking.
+/// Whether products with inverse masses are skipped where all masses are 1: only where a check costs less than the products.
 pub(super) const fn skips_masses<S: Scalar>() -> bool {
     S::LOOKING_PAYS || !SIDE_BY_SIDE
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
-    /// The dividend in a link's own coefficient. A taut chain between two pins has no pivot but for the divisor, and what floats round of light particles' inverse masses is
-    /// more: of that a little is left. Fixed point has no masses that light.
+    /// The dividend a in the diagonal of the matrix. The last pivot of a taut chain between two pins is nearly the divisor b alone, and the rounding error of light particles'
+    /// inverse masses in floats may exceed it. So in floats a is enlarged by a few such errors. Fixed point has no masses that light.
     #[inline(always)]
     pub(super) fn own(&self) -> S {
         let dividend = self.strength.dividend;
         if S::EXACT_SUMS { dividend } else { dividend + S::from_f64(4.0 * S::RESOLUTION) }
     }
 
-    /// How multipliers are scaled: not at all where all masses are 1.
+    /// The exponent of the multipliers: none where all masses are 1.
     #[inline(always)]
     pub(super) fn exponent<const UNIT_MASS: bool>(&self) -> Exponent {
         if UNIT_MASS { Exponent::NONE } else { self.exponent }
     }
 
-    /// The divisor in the coefficients of a chain of `M` particles whose largest residual is `worst`, in the unit of multipliers: larger where they are regularised.
+    /// The divisor in the diagonal of a chain of `M` particles whose largest residual is `worst`, in the unit of multipliers. It is larger if the chain is regularised.
     #[inline(always)]
     pub(super) fn divisor<const UNIT_MASS: bool, const M: usize>(
         &self,
@@ -63,7 +63,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         if worst.is_within(harmless::<S, M>(span)) { divisor } else { divisor.max(regularisation()) }
     }
 
-    /// Whether a chain whose largest multiplier this is has a tension that shakes it.
+    /// Whether a chain has a tension that would make it shake; `most` is the largest change of its multipliers.
     #[inline(always)]
     pub(super) fn is_taut(&self, most: S, exponent: Exponent) -> bool {
         most.scaled(self.strength.dividend) > exponent.bound(self.rest.length * S::from_f64(TAUT))

@@ -1,7 +1,6 @@
-//! Columns and diagonals, some side by side.
+//! Exact solves of columns, and of diagonals one by one.
 //!
-//! Machines that compute several numbers at once solve [`LANES`] columns at a time, others one. Diagonals are solved here one by one;
-//! [`diagonal`](super::diagonal) has another way.
+//! Machines with vector instructions solve [`LANES`] columns at a time, others one. For such machines, [`diagonal`](super::diagonal) solves all diagonals of a colour at once.
 
 use heapless::Vec;
 
@@ -18,27 +17,27 @@ use super::place::{Place, each_diagonal};
 use super::regularise::regularisation;
 use super::tridiagonal::{Eliminated, times};
 
-/// Columns that are solved side by side, where a machine computes several numbers at once: two of its vectors of `f32`.
+/// The number of columns that are solved side by side on machines with vector instructions: two vectors of `f32`.
 const LANES: usize = 8;
 
-/// Links of some chains side by side.
+/// One link in each of `N` chains side by side.
 struct Link<S, const N: usize> {
     normal: Vec3<[S; N]>,
-    /// At first the residual, in the end what the multiplier changes by.
+    /// The residual, then the eliminated right side, in the end the change of the multiplier.
     change: [S; N],
-    /// The part of its change that the change of the link above has of it.
+    /// The factor with which this link's change enters that of the link above.
     factor: [S; N],
 }
 
-/// The links of some chains, from the top down.
+/// The links of `N` chains, from the top down.
 type Links<S, const N: usize, const H: usize> = Vec<Link<S, N>, H>;
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
-    /// Solves every column. Returns the largest residual of those that were regularised, which are far from solved.
-    #[inline(never)] // one for all scenes of a grid
+    /// Solves every column. Returns the largest residual of the regularised columns, which are far from solved.
+    #[inline(never)] // one copy for all scenes of a grid
     pub(super) fn columns(&self, particles: &mut Particles<S, W, H>, multipliers: &mut Grid<S, W, H>) -> S {
         let (mut column, mut unsolved) = (0, S::ZERO);
-        // where products depend on the masses of a column, every machine looks at one
+        // a machine that skips masses does so column by column
         if const { !skips_masses::<S>() } {
             while column + LANES <= W {
                 unsolved = unsolved.max(self.some::<LANES>(particles, column, multipliers));
@@ -70,7 +69,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
     }
 
-    /// Solves the diagonals of the cells of one colour, one after the other. Returns as [`columns`](Self::columns).
+    /// Solves the diagonals of the cells of one colour, one after the other. Returns the same as [`columns`](Self::columns).
     pub(super) fn diagonals_one_by_one(
         &self,
         particles: &mut Particles<S, W, H>,
@@ -86,7 +85,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         unsolved
     }
 
-    /// Solves one chain, whose particles may all have mass 1.
+    /// Solves one chain; `unit_mass` if all its particles have mass 1.
     fn one(
         &self,
         particles: &mut Particles<S, W, H>,
@@ -101,19 +100,19 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
     }
 
-    /// Solves `N` chains. Returns their largest residual where they were regularised.
-    #[inline(never)] // so that sheet and multipliers are known to be apart
+    /// Solves `N` chains. Returns their largest residual if they were regularised, zero otherwise.
+    #[inline(never)] // so that the compiler knows that sheet and multipliers don't alias
     fn side_by_side<const N: usize, const UNIT_MASS: bool, const ANYWHERE: bool>(
         &self,
         particles: &mut Particles<S, W, H>,
         place: Place,
         multipliers: &mut Grid<S, W, H>,
     ) -> S {
-        // columns' extent is known when this is compiled
+        // the extent of columns is known at compile time
         let place = if ANYWHERE { place } else { Place { top: 0, count: H, slant: 0, ..place } };
         let Place { top, first, count, .. } = place;
         if N > W || first > W - N || count > H || top > H - count {
-            return S::ZERO; // said once, no column needs to be looked for
+            return S::ZERO; // never: saves the bounds checks below
         }
         let exponent = self.exponent::<UNIT_MASS>();
         let mut links = Links::<S, N, H>::new();
@@ -133,7 +132,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         if is_regularised { worst } else { S::ZERO }
     }
 
-    /// Gathers the links of chains. Returns the largest residual, which only fixed point bounds.
+    /// Gathers the links of chains. Returns the largest residual; in floats, which need no bound, zero.
     #[inline(always)]
     fn gather_some<const N: usize>(
         &self,
@@ -144,7 +143,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         exponent: Exponent,
     ) -> S {
         let mut worst = S::ZERO;
-        // pushed one by one, so that none has to be written twice
+        // pushed one by one, so that no link is initialised first
         for k in 0..place.count.saturating_sub(1) {
             let (above, below) = (place.row::<H>(k), place.row::<H>(k + 1));
             let [x, y] = [&particles.position.0[above], &particles.position.0[below]];
@@ -159,7 +158,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
                 link.normal.set(lane, normal);
                 link.change[lane] = residual;
             }
-            _ = links.push(link); // there is room for all
+            _ = links.push(link); // there is space for all
         }
         worst
     }
@@ -196,7 +195,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
     }
 
-    /// Substitutes up the chains: adds to multipliers what they change by, and moves particles. Returns the largest change in each.
+    /// Substitutes up the chains: adds the changes to the multipliers, and moves particles. Returns the largest change in each chain.
     #[inline(always)]
     fn substitute_some<const N: usize, const UNIT_MASS: bool>(
         &self,
@@ -231,7 +230,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         most
     }
 
-    /// Moves the particles `k` of chains by what their links ask of particles of mass 1.
+    /// Moves particle `k` of each chain; `by` is the displacement for mass 1.
     #[inline(always)]
     fn displace_some<const N: usize, const UNIT_MASS: bool>(
         &self,
@@ -250,7 +249,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
     }
 
-    /// What is added to the diagonal of one of some chains, whose residuals are known.
+    /// The regularisation of the chain `lane`, whose links have their residuals.
     #[cold]
     #[inline(never)]
     fn regularisation_of<const N: usize>(
@@ -266,7 +265,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         regularisation(&residual, &Self::inverse_masses(particles, place, lane, exponent), place.count)
     }
 
-    /// Adds to one of some chains what its tension does across it.
+    /// Adds the geometric stiffness correction to the chain `lane`.
     #[inline(never)] // few chains are that taut
     fn correct_one<const N: usize>(
         &self,
@@ -297,7 +296,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         })
     }
 
-    /// The same, for links of these directions and changes of multipliers.
+    /// The same for links with these directions and changes of multipliers.
     #[inline(never)] // few chains are that taut
     pub(super) fn add_geometric_stiffness(
         &self,

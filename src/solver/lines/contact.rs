@@ -1,11 +1,10 @@
-//! Contacts in a rule of two steps.
+//! Contacts in the two-step rule.
 //!
-//! A particle that a surface has stopped must not go on as its history says: the rule takes (v − v₋)/3 of it along and would throw the particle back. So what a
-//! contact does to a velocity it does to the one before, too, as if the particle had been as slow all the time. In balance the contact then takes
-//! just what the other forces give, and stands for a force as all of them do.
+//! The rule adds (v − v₋)/3 to a velocity, so it would throw back a particle that a surface has just stopped. A contact therefore changes the previous velocity by the same
+//! amount, as if the particle had been that slow all the time. In equilibrium, the contact then balances the other forces exactly, as a force would.
 //!
-//! A particle is moved out by its depth d and stopped, as far as an acceleration that moved it by d within a substep can have made it fast: by 2·d/h. What
-//! comes in faster needs a substep or two, and none is thrown back. Friction is Coulomb's, of displacements and of velocities.
+//! A particle is moved out by its depth d, and its approach velocity is reduced by at most 2·d/h: an acceleration that moves a particle by d within a substep makes it no
+//! faster. A particle that comes in faster needs a substep or two to stop, and none is thrown back. Friction is Coulomb's, on displacements and on velocities.
 
 use crate::collider::{Collider, Contact, Meeting, friction_limited, shared, touch};
 use crate::grid::Node;
@@ -16,18 +15,18 @@ use crate::solver::aside::{give_back, set_aside};
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-/// Colliders, and what a contact with them needs to know and to change.
+/// Colliders, and the state of a substep that a contact reads and changes.
 pub(super) struct Contacts<'a, S, C, const W: usize, const H: usize> {
     pub(super) colliders: &'a C,
-    /// Where the substep started; nothing where nothing is in the way.
+    /// The positions at the start of the substep; `None` without colliders.
     pub(super) start: Option<&'a Vectors<S, W, H>>,
-    /// The velocities before it.
+    /// The velocities at the start of the substep.
     pub(super) earlier: &'a mut Vectors<S, W, H>,
     pub(super) moment: Moment,
 }
 
 impl<S: Scalar, C: Collider<S>, const W: usize, const H: usize> Contacts<'_, S, C, W, H> {
-    /// Moves every free particle out of the colliders. In fixed point velocities may be set `aside`, as between the sweeps.
+    /// Moves every free particle out of the colliders. In fixed point, velocities may be set `aside`, as between the sweeps.
     #[inline(always)]
     pub(super) fn resolve(&mut self, particles: &mut Particles<S, W, H>, aside: bool) {
         if let Some(start) = self.start {
@@ -40,7 +39,7 @@ impl<S: Scalar, C: Collider<S>, const W: usize, const H: usize> Contacts<'_, S, 
     }
 }
 
-/// Moves every free particle out of `colliders`. The substep started at the positions `start` and velocities `earlier`; in fixed point velocities may be set
+/// Moves every free particle out of `colliders`. The substep started at the positions `start` and velocities `earlier`. In fixed point, velocities may be set
 /// `aside`, as between the sweeps.
 #[inline]
 fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
@@ -66,7 +65,7 @@ fn resolve<S: Scalar, C: Collider<S>, const W: usize, const H: usize>(
     );
 }
 
-/// A particle's velocity, which may be set `aside`.
+/// A particle's velocity, given back if it is set `aside`.
 #[inline(always)]
 fn velocity<S: Scalar, const W: usize, const H: usize>(
     particles: &Particles<S, W, H>,
@@ -78,7 +77,7 @@ fn velocity<S: Scalar, const W: usize, const H: usize>(
     if aside { give_back(velocity, particles.position.at(node), moment) } else { velocity }
 }
 
-/// Gives a particle a position and a velocity, to be set `aside` or not.
+/// Gives a particle a position and a velocity, which is set `aside` if asked for.
 #[inline(always)]
 fn place<S: Scalar, const W: usize, const H: usize>(
     particles: &mut Particles<S, W, H>,
@@ -92,11 +91,11 @@ fn place<S: Scalar, const W: usize, const H: usize>(
     particles.velocity.set(node, if aside { set_aside(velocity, position, moment) } else { velocity });
 }
 
-/// How far particles come together in a substep that hit each other, cells. Slower ones lie on each other.
+/// Two particles hit each other if they approach by more than this in a substep, cells. Slower ones lie on each other.
 const IMPACT: f64 = 1.0 / 16.0;
 
-/// Particles that meet each other. Those that lie on each other are moved as a link moves them, which in balance is just what other forces ask for. Those that hit each
-/// other are stopped as by a surface, and their history with them: else the rule would throw them back faster than they came. Backward Euler looks back to no history.
+/// Contacts between particles. Two that lie on each other are moved as by a link, which in equilibrium balances the other forces. Two that hit each other are stopped as by a
+/// surface, and their previous velocities change, too: otherwise the rule would throw them back faster than they came. Backward Euler uses no previous velocity.
 struct TwoStep<'a, S, const W: usize, const H: usize> {
     start: &'a Vectors<S, W, H>,
     earlier: &'a mut Vectors<S, W, H>,
@@ -138,7 +137,7 @@ impl<S: Scalar, const W: usize, const H: usize> Meeting<S, W, H> for TwoStep<'_,
     }
 }
 
-/// By how much a contact changes a velocity.
+/// The velocity change by a contact.
 fn impulse<S: Scalar>(contact: &Contact<S>, velocity: Vec3<S>, moment: Moment) -> Vec3<S> {
     let Contact { normal, depth, friction, velocity: surface, .. } = *contact;
     let against = velocity - surface;
@@ -146,7 +145,7 @@ fn impulse<S: Scalar>(contact: &Contact<S>, velocity: Vec3<S>, moment: Moment) -
     if approach <= S::ZERO {
         return Vec3::ZERO;
     }
-    // what is halved fits any number type
+    // halved, so that it fits every number type
     let shift = moment.shift + 1;
     let stop = if approach.halve(shift) <= depth { approach } else { depth.double(shift) };
     if friction == S::ZERO {

@@ -1,13 +1,14 @@
-//! Every diagonal of the cells solved exactly, as rows and columns are.
+//! Exact solves of the diagonals of the cells.
 //!
-//! Relaxed one by one between exact rows and columns, diagonals are what sweeps wait for. A falling diagonal and a rising one share a particle, so one of them has to act on
-//! what the other left. In the order "all falling ones, then all rising ones" a mirrored sheet would not move as the mirror image. Instead cells are coloured as a chess
-//! board is: the diagonals through black cells share no particle with one another, and those through white ones don't either. So both kinds of one colour are solved at
-//! once, then those of the other; for even widths a mirror maps each colour to itself.
+//! Diagonals relaxed one by one between exact rows and columns would limit the convergence of the sweeps. A falling and a rising diagonal share a particle, so one of them has
+//! to be solved after the other. In the order "all falling ones, then all rising ones", a mirrored sheet would not move as the mirror image. Instead, cells are coloured like a
+//! chess board: the diagonals through black cells share no particle with one another, and neither do those through white cells. So both kinds of one colour are solved at once,
+//! then those of the other; for even widths, a mirror maps each colour to itself.
 //!
-//! A multiplier is kept in the grid of its cell's colour, at the link's upper particle. In every row the links of a colour join two neighbours and the two below them, crosswise: their lower ends
-//! are the row below with the two of each pair [exchanged](crossed). Machines that compute several numbers at once eliminate down the rows, all diagonals of a colour side by side, which
-//! takes five numbers a particle on the stack (80 KB for 64 × 64 in `f32`); others take one diagonal after the other, in five numbers a row. Both find the same bits.
+//! A multiplier is kept in the grid of its cell's colour, at the link's upper particle. In every row, the links of a colour join two neighbours and the two below them,
+//! crosswise: their lower ends are the row below with the two particles of each pair [exchanged](crossed). Machines with vector instructions eliminate down the rows, all
+//! diagonals of a colour side by side, which takes five numbers a particle on the stack (80 KB for 64 × 64 in `f32`). Other machines solve one diagonal after the other, in
+//! five numbers a row. Both give the same bits.
 
 use heapless::Vec;
 
@@ -23,8 +24,8 @@ use super::place::each_diagonal;
 use super::tridiagonal::Eliminated;
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
-    /// Solves every diagonal. Returns the largest residual of those that were regularised, which are far from solved.
-    #[inline(never)] // one for all scenes of a grid
+    /// Solves every diagonal. Returns the largest residual of the regularised diagonals, which are far from solved.
+    #[inline(never)] // one copy for all scenes of a grid
     pub(super) fn diagonals(&self, particles: &mut Particles<S, W, H>, multipliers: [&mut Grid<S, W, H>; 2]) -> S {
         let mut unsolved = S::ZERO;
         if W > 1 && H > 1 {
@@ -40,10 +41,10 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     }
 
     /// Solves the diagonals of one colour, in floats.
-    #[inline(never)] // so that sheet and multipliers are known to be apart
+    #[inline(never)] // so that the compiler knows that sheet and multipliers don't alias
     fn diagonals_at_once(&self, particles: &mut Particles<S, W, H>, colour: usize, multipliers: &mut Grid<S, W, H>) {
         let mut above = Above { normal: Vec3::row(Vec3::ZERO), per_pivot: [S::ZERO; W], right: [S::ZERO; W] };
-        // pushed one by one, so that none has to be written twice
+        // pushed one by one, so that no row is initialised first
         let mut links = Vec::<Links<S, W>, H>::new();
         for row in 1..H {
             let [x, y] = [row - 1, row].map(|row| &particles.position.0[row]);
@@ -54,7 +55,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
             } else {
                 self.eliminate::<1>(&mut above, [x, y], [u, v], multipliers)
             };
-            _ = links.push(row); // there is room for all
+            _ = links.push(row); // there is space for all
         }
         let mut factor = [S::ZERO; W];
         let mut below = Below { change: [S::ZERO; W], pull: Vec3::row(Vec3::ZERO), most: [S::ZERO; W] };
@@ -75,8 +76,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
     }
 
-    /// Eliminates the links to a row, whose particles have these positions and inverse masses.
-    #[inline(never)] // so that all rows are known to be apart
+    /// Eliminates the links between two rows with these positions and inverse masses.
+    #[inline(never)] // so that the compiler knows that rows don't alias
     fn eliminate<const PARITY: usize>(
         &self,
         above: &mut Above<S, W>,
@@ -114,8 +115,8 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         Links { normal, factor, change }
     }
 
-    /// Finds what the links to a row change by, given the `factor` of that row's links, and what moves its particles.
-    #[inline(never)] // so that all rows are known to be apart
+    /// Finds the changes of the multipliers of the links to a row from the links `below` it and their `factor`. Returns the displacements of the row for particles of mass 1.
+    #[inline(never)] // so that the compiler knows that rows don't alias
     fn substitute<const PARITY: usize>(
         &self,
         below: &mut Below<S, W>,
@@ -145,14 +146,14 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         by
     }
 
-    /// Moves a row by what its links ask of particles of mass 1.
-    #[inline(never)] // so that all rows are known to be apart
+    /// Moves a row; `by` is the displacement for particles of mass 1.
+    #[inline(never)] // so that the compiler knows that rows don't alias
     fn displace(&self, particles: &mut Particles<S, W, H>, row: usize, by: Vec3<[S; W]>) {
         let w = particles.inverse_mass.0[row];
         displace_row(particles, row, |column| by.at(column) * w[column], self.moment);
     }
 
-    /// Adds to the taut diagonals of one colour what their tension does across them, for links of these directions and changes of multipliers.
+    /// Adds the geometric stiffness correction to the taut diagonals of one colour, for links with these directions and changes of multipliers.
     #[inline(never)] // few are that taut
     fn correct_diagonals(&self, particles: &mut Particles<S, W, H>, colour: usize, links: &[Links<S, W>]) {
         each_diagonal::<W, H>(colour, |place| {
@@ -172,32 +173,32 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     }
 }
 
-/// What is known of the links that start in a row.
+/// The eliminated links that start in a row.
 #[derive(Clone, Copy)]
 struct Links<S, const W: usize> {
     normal: Vec3<[S; W]>,
-    /// The part of a link's change that the change of the link above has of it.
+    /// The factor with which a link's change enters that of the link above.
     factor: [S; W],
-    /// What a multiplier changes by.
+    /// The eliminated right side, in the end the change of the multiplier.
     change: [S; W],
 }
 
-/// The links that end in a row, in the columns where they end.
+/// The eliminated links that end in a row, in the columns where they end.
 struct Above<S, const W: usize> {
     normal: Vec3<[S; W]>,
     per_pivot: [S; W],
     right: [S; W],
 }
 
-/// The links that start in a row.
+/// The substituted links that start in a row.
 struct Below<S, const W: usize> {
     change: [S; W],
     pull: Vec3<[S; W]>,
-    /// The largest change below.
+    /// The largest change so far.
     most: [S; W],
 }
 
-/// The row with neighbours swapped in pairs, the first of which starts in column `PARITY`; nothing where there is no partner.
+/// The row with neighbours swapped in pairs, the first of which starts in column `PARITY`; zero where there is no partner.
 #[inline(always)]
 fn crossed<const PARITY: usize, S: Scalar, const W: usize>(row: &[S; W]) -> [S; W] {
     core::array::from_fn(|column| {
@@ -325,7 +326,7 @@ mod tests {
                     let [black, white] = &mut multipliers;
                     chain.diagonals(particles, [black, white]);
                 }
-                // the last ones; what the first pass left is that links turn
+                // the last colour solved; the first pass left a residual because links turn
                 let after = strain(particles, 1);
                 assert!(before > 0.1 && after < 0.01, "{}: {before} {after}", S::NAME);
             });

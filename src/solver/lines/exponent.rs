@@ -1,23 +1,24 @@
 //! The power of two by which multipliers are scaled, so that the multiplier of the heaviest free particle fits.
 //!
-//! A multiplier is the displacement of a particle of mass 1, over the dividend of the link's strength. In units of 2^shift it is smaller; inverse masses and the divisor of the
-//! strength are 2^shift times as large, so the equations stay the same. Masses up to 8 need no scaling, and get none: it costs precision. Floats need none either.
+//! A multiplier is the displacement of a particle of mass 1, over the dividend of the link's strength. In units of 2^shift it is a smaller number. Inverse masses and the
+//! divisor of the strength are then 2^shift times as large, so the equations stay the same. Masses up to 8 need no scaling, and get none: it costs precision. Floats need none.
 
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 
-/// The largest inverse mass in the larger unit: the sum of two still fits.
+/// The largest inverse mass after scaling: the sum of two still fits.
 const LIGHTEST: i32 = 32;
 
-/// How much larger the unit of multipliers is.
+/// The exponent `shift` of the unit 2^shift of multipliers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Exponent {
     shift: u32,
 }
 
 impl Exponent {
-    /// For the heaviest particle of a sheet whose rows of nothing but particles of mass 1 are `unit_mass`: none up to 8 masses, since it costs digits. Beside it the least
-    /// inverse mass over the largest that is more than 1, in that unit, and whether no particle is lighter than an eighth of a mass.
+    /// The exponent for the heaviest particle of a sheet, zero up to a mass of 8. Rows marked in `unit_mass` have no particle of another mass than 1.
+    ///
+    /// Also returns, in that unit, the least positive inverse mass divided by the largest if that is more than 1; and whether no particle is lighter than an eighth of a mass.
     #[inline]
     pub(super) fn new<S: Scalar, const W: usize, const H: usize>(
         particles: &Particles<S, W, H>,
@@ -40,16 +41,16 @@ impl Exponent {
         (exponent, if most > S::ONE { least.divide(most) } else { least }, none_is_light)
     }
 
-    /// No shift.
+    /// No scaling.
     pub(super) const NONE: Self = Self { shift: 0 };
 
-    /// An inverse mass, a divisor or its product with a multiplier, made larger.
+    /// An inverse mass, a divisor, or the product of a divisor and a multiplier, times 2^shift.
     #[inline(always)]
     pub(super) fn scaled<S: Scalar>(self, number: S) -> S {
         number.in_smaller_unit(self.shift)
     }
 
-    /// A bound of multipliers, in their unit.
+    /// A bound on multipliers, in their unit.
     #[inline(always)]
     pub(super) fn bound<S: Scalar>(self, bound: S) -> S {
         bound.in_larger_unit(self.shift)

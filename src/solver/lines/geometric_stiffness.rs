@@ -1,13 +1,13 @@
 //! Geometric stiffness correction, so that taut chains don't shake.
 //!
-//! A tension pulls a bent chain straight, along the directions that its links had when it was solved. In a zigzag of amplitude y that pull moves a particle
-//! by up to −4·λ·y/L, where λ is the displacement that the tension gives a particle: beyond λ = L/2 by more than back again, which the rule in time amplifies
-//! (it needs more than −0.23·y to be left). What a sheet hangs from then shakes for good. So where tensions are that large, what they do across the
-//! chain is done implicitly: the displacement y' across solves
+//! A tension straightens a bent chain, along the directions that its links had when it was solved. In a zigzag of amplitude y this moves a particle by up to −4·λ·y/L, where λ
+//! is the displacement that the tension gives a particle. Beyond λ = L/2 the particle ends further out on the other side. The rule in time amplifies any overshoot beyond
+//! −0.23·y, and the chains that carry a sheet then shake for good. So where tensions are that large, their effect across the chain is computed implicitly: the displacement y'
+//! across solves
 //!
 //! `(1 + w_i·(a_{i−1} + a_i))·y'_i − w_i·a_{i−1}·y'_{i−1} − w_i·a_i·y'_{i+1} = y_i`,  a = max(λ, 0)/L,
 //!
-//! the geometric stiffness of the links (M. Tournier and others, *Stable constrained dynamics*, 2015). What moves a particle along its chain stays as it is.
+//! the geometric stiffness of the links (M. Tournier and others, *Stable constrained dynamics*, 2015). Displacements along the chain stay as they are.
 
 use crate::scalar::{Rounding, Scalar};
 use crate::vec3::Vec3;
@@ -15,15 +15,15 @@ use crate::vec3::Vec3;
 use super::exponent::Exponent;
 use super::tridiagonal::Eliminated;
 
-/// The tension from which on a chain is corrected, rest lengths. A zigzag of one chain calls for 0.31; below the corners of a sheet rows, columns and diagonals pull at a
-/// particle together.
+/// The tension above which a chain is corrected, rest lengths. A zigzag of a single chain needs 0.31; below the corners of a sheet, the tensions of rows, columns and diagonals
+/// act on a particle together.
 pub(super) const TAUT: f64 = 0.1;
 
-/// Tensions in the matrix, rest lengths: more do nothing more, and fixed point holds these.
+/// The largest tension in the matrix, rest lengths. Larger ones have no further effect, and this one fits fixed point.
 const MOST: i32 = 16;
 
-/// What is missing of the displacements of a chain of `count` particles, whose links have these directions and tensions (displacements of a particle of inverse mass 1,
-/// cells; both in the unit of multipliers). Nothing where it is bent by a right angle or more: no tension has pulled that straight yet.
+/// The correction to the displacements of a chain of `count` particles, whose links have these directions and tensions (displacements of a particle of inverse mass 1,
+/// cells). Tensions and inverse masses are in the unit of multipliers. Zero if the chain is bent by a right angle or more: no tension has straightened it yet.
 #[inline(never)] // few chains are that taut
 pub(super) fn geometric_stiffness<S: Scalar, const M: usize>(
     normal: &Vec3<[S; M]>,
@@ -52,17 +52,17 @@ pub(super) fn geometric_stiffness<S: Scalar, const M: usize>(
         if !end && squared < S::HALF {
             return Vec3::row(Vec3::ZERO);
         }
-        // an end has but one link, along which it is moved
+        // an end has one link only, and moves along it
         across.set(k, if end { Vec3::ZERO } else { moved - along * moved.dot(along).divide(squared) });
         let b = (force * inverse_length).max(S::ZERO).min(most);
-        // 1 + w·(a + b) less w·a·f, without the difference of two large numbers
+        // 1 + w·(a + b) − w·a·f, without the difference of two large numbers
         above = above.then::<false>(S::ONE + w * (a + b - a * f), w * a, across.at(k));
         by.set(k, above.right);
         f = w * b * above.per_pivot;
         factor[k] = f;
         (pull, direction, a) = (next, after, b);
     }
-    // counted to M, a compiler sees that nothing is out of bounds
+    // counted to M, so that the compiler sees that no index is out of bounds
     for k in (0..M.saturating_sub(1)).rev() {
         if k + 1 < count {
             let next = by.at(k + 1);
@@ -82,7 +82,7 @@ mod tests {
 
     const M: usize = 8;
 
-    /// What is left of a zigzag of this amplitude between two pins, rest lengths, once all its links had this tension.
+    /// The rest of a zigzag of this amplitude between two pins, rest lengths, after a solve in which all its links have this tension.
     fn left_of_a_zigzag<S: Scalar>(amplitude: f64, tension: f64) -> [f64; M] {
         let free = |k: usize| k > 0 && k + 1 < M;
         let side = |k: usize| if free(k) { amplitude * [1.0, -1.0][k % 2] } else { 0.0 };
@@ -105,7 +105,7 @@ mod tests {
         for tension in [0.5, 1.0, 4.0, 15.0] {
             let amplitude = 0.05;
             for (k, left) in left_of_a_zigzag::<S>(amplitude, tension).into_iter().enumerate() {
-                // of an endless one 1/(1 + 4·λ/L) is left; beside a pin, which has no side, up to 1/(1 + 2·λ/L)
+                // an endless zigzag keeps 1/(1 + 4·λ/L) of its amplitude; beside a pin, which has none, up to 1/(1 + 2·λ/L)
                 let end = k == 0 || k == M - 1;
                 let slack = 2e-3 * amplitude + 200.0 * S::RESOLUTION + if S::NAME == Q13::NAME { 1e-3 } else { 0.0 };
                 let left = if k % 2 == 0 { left } else { -left };

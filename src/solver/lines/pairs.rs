@@ -1,8 +1,7 @@
-//! Links relaxed a row at a time.
+//! Links relaxed one by one, a row at a time.
 //!
-//! Links between one row and another act on the positions that all of them found (Jacobi), so that in floats a mirrored sheet is relaxed as the mirror image, to the
-//! last bit, and a machine may compute four at once. That does not overshoot: both diagonals of a cell are nearly at right angles, and the few links that
-//! share a particle elsewhere lie in a row.
+//! All links between two rows start from the same positions (Jacobi). So in floats a mirrored sheet is relaxed as the mirror image, to the last bit, and a machine may compute
+//! four links at once. This does not overshoot: the two diagonals of a cell are nearly at right angles, and the few other links that share a particle lie in a row.
 
 use core::ops::Range;
 
@@ -17,11 +16,11 @@ use crate::vectors::{ahead, behind, columns, left, right};
 
 use super::exponent::Exponent;
 
-/// Links of one kind.
+/// The links of one family, and the data that they share.
 pub(super) struct Pairs<'a, S: Scalar, const H: usize> {
     rest: &'a Rest<S>,
     strength: Quotient<S>,
-    /// Of two particles of mass 1, 1/(2·a + b).
+    /// The effective mass between two particles of mass 1, 1/(2·a + b).
     effective_mass: S,
     moment: Moment,
     rounding: Rounding,
@@ -42,8 +41,8 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         Self { rest: &family.rest, strength, effective_mass, moment, rounding, unit_mass, exponent }
     }
 
-    /// Links between particles that are `ACROSS` columns apart.
-    #[inline(never)] // one for all scenes of a grid
+    /// Relaxes links between particles that are `ACROSS` columns apart.
+    #[inline(never)] // one copy for all scenes of a grid
     pub(super) fn row<const ACROSS: usize, const W: usize>(
         &self,
         particles: &mut Particles<S, W, H>,
@@ -66,14 +65,14 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         }
     }
 
-    /// Links between particles that are `DOWN` rows apart.
-    #[inline(never)] // one for all scenes of a grid
+    /// Relaxes links between particles that are `DOWN` rows apart.
+    #[inline(never)] // one copy for all scenes of a grid
     pub(super) fn column<const DOWN: usize, const W: usize>(
         &self,
         particles: &mut Particles<S, W, H>,
         mut multipliers: Option<&mut Grid<S, W, H>>,
     ) {
-        // before the links of a row act, those that end in it have acted
+        // from the top down: the links that end in a row are relaxed before those that start in it
         for row in 0..H.saturating_sub(DOWN) {
             let [x, y] = [row, row + DOWN].map(|row| &particles.position.0[row]);
             let [u, v] = [row, row + DOWN].map(|row| &particles.inverse_mass.0[row]);
@@ -87,8 +86,8 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         }
     }
 
-    /// Links along both diagonals.
-    #[inline(never)] // one for all scenes of a grid
+    /// Relaxes links along both diagonals.
+    #[inline(never)] // one copy for all scenes of a grid
     pub(super) fn diagonals<const ACROSS: usize, const DOWN: usize, const W: usize>(
         &self,
         particles: &mut Particles<S, W, H>,
@@ -125,7 +124,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         }
     }
 
-    /// The effective mass of the links between two rows, whose inverse masses are these once those of the second are `shifted`.
+    /// The effective masses of the links between two rows with inverse masses `u` and `v`; `shifted` aligns the second row with the first.
     #[inline(always)]
     fn effective_mass<const W: usize>(
         &self,
@@ -141,14 +140,14 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         for column in 0..W {
             let inverse_mass = exponent.scaled(u[column] + divisors[column]);
             let against = inverse_mass * dividend + exponent.scaled(divisor);
-            // between two pins nothing gives
+            // a link between two pins moves nothing
             let stuck = inverse_mass == S::ZERO;
             divisors[column] = if stuck { S::INFINITE_DIVISOR } else { against.divisor() };
         }
         EffectiveMass::Any(divisors)
     }
 
-    /// Moves a row by a pull of links of such an effective mass, times inverse masses.
+    /// Moves a row by `pull`, its displacements for mass 1 by links of such an effective mass, times its inverse masses.
     #[inline(always)]
     fn displace<const W: usize>(
         &self,
@@ -166,7 +165,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         }
     }
 
-    /// Finds how links from a row of particles to another pull by what is missing. (What is returned is copied on a Cortex-M.)
+    /// Finds the corrections `pull` of the links from one row to another, and adds to their multipliers. (A returned row would be copied on a Cortex-M.)
     #[inline(always)]
     fn pull<const W: usize>(
         &self,
@@ -191,7 +190,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         }
     }
 
-    /// Finds how links pull by what `change` makes of their multipliers and their excess lengths: what multipliers change by.
+    /// The same, where `change` gives the change of a multiplier from the link's column, its multiplier and its excess length.
     #[inline(always)]
     fn each<const W: usize>(
         &self,
@@ -202,7 +201,7 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
         multipliers: &mut [S; W],
         change: impl Fn(usize, S, S) -> S,
     ) {
-        // no branches: so it can be done for four at once
+        // no branches, so that a machine can compute four at once
         for column in links {
             let (excess, normal) = (y(column) - x.at(column)).direction(self.rest);
             let by = change(column, multipliers[column], excess);
@@ -212,15 +211,15 @@ impl<'a, S: Scalar, const H: usize> Pairs<'a, S, H> {
     }
 }
 
-/// 1/(a·Σw + b): the mass that two particles show to the multiplier of a link, softened by the link.
+/// The effective masses 1/(a·Σw + b) of links, by which residuals are multiplied.
 enum EffectiveMass<S, const W: usize> {
-    /// The same everywhere: all particles have mass 1.
+    /// The same for all links: all particles have mass 1.
     UnitMass(S),
-    /// Of each link, as what its residual is [divided](Scalar::over) by.
+    /// One for each link, as a [divisor](Scalar::divisor) of its residual.
     Any([S; W]),
 }
 
-/// Nothing in the last `BY < W` columns.
+/// Clears the last `BY < W` columns, in which no link starts.
 #[inline(always)]
 fn without_last<const BY: usize, S: Scalar, const W: usize>(pull: &mut Vec3<[S; W]>, multipliers: &mut [S; W]) {
     for column in W - BY..W {
@@ -229,7 +228,7 @@ fn without_last<const BY: usize, S: Scalar, const W: usize>(pull: &mut Vec3<[S; 
     }
 }
 
-/// Nothing in the first `BY < W` columns.
+/// Clears the first `BY < W` columns, in which no link starts.
 #[inline(always)]
 fn without_first<const BY: usize, S: Scalar, const W: usize>(pull: &mut Vec3<[S; W]>, multipliers: &mut [S; W]) {
     for column in 0..BY {

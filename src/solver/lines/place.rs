@@ -1,6 +1,6 @@
-//! Where chains lie on a grid.
+//! The places of chains on a grid.
 
-/// Where a chain lies: it starts in row `top` and column `first`, and has a particle in each of `count` rows, `slant` columns further in each.
+/// The place of a chain: it starts in row `top` and column `first`, and has a particle in each of `count` rows, `slant` columns further in each.
 #[derive(Clone, Copy)]
 pub(super) struct Place {
     pub(super) top: usize,
@@ -10,7 +10,7 @@ pub(super) struct Place {
 }
 
 impl Place {
-    /// The row of the chain's particle `k`; within the grid for a compiler to see, so that no bound is looked up.
+    /// The row of the chain's particle `k`; limited to the grid, so that the compiler leaves out bounds checks.
     #[inline(always)]
     pub(super) fn row<const H: usize>(self, k: usize) -> usize {
         (self.top + k).min(H - 1)
@@ -23,9 +23,9 @@ impl Place {
     }
 }
 
-/// Visits every diagonal through the cells of one colour, those of two particles and more.
+/// Visits every diagonal of two or more particles through the cells of one colour.
 pub(super) fn each_diagonal<const W: usize, const H: usize>(colour: usize, mut visit: impl FnMut(Place)) {
-    // from the upper border, then from the left one and from the right one
+    // those that start at the upper border, then at the left and at the right one
     for start in 0..W + 2 * (H - 1) {
         let (first, top) = if start < W {
             (start, 0)
@@ -37,7 +37,7 @@ pub(super) fn each_diagonal<const W: usize, const H: usize>(colour: usize, mut v
         for slant in [1, -1] {
             let room = if slant > 0 { W - 1 - first } else { first };
             let count = 1 + room.min(H - 1 - top);
-            // by the column of the first cell's left side
+            // the column of the first cell's left side, plus its row
             let cell = if slant > 0 { first + top } else { first + top + 1 };
             if count > 1 && cell % 2 == colour {
                 visit(Place { top, first, count, slant });

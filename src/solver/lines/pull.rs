@@ -1,7 +1,7 @@
-//! Dampers and springs, which both answer to the velocity at the substep's end, `v' = (1 + W·L)⁻¹·(v̂ + Δ)` where springs and contacts do Δ.
+//! Coupling of dampers and springs. Both act at the substep's end, on `v' = (1 + W·L)⁻¹·(v̂ + Δ)`, where Δ is the velocity change by springs and contacts.
 //!
-//! Springs come last, so dampers are first shown the Δ of the last substep, as incremental projection methods do (J. van Kan, 1986), and in the end what Δ has become
-//! since: second order, and a sheet in balance is left alone.
+//! Springs are solved after dampers. So dampers first assume the Δ of the last substep, as incremental projection methods do (J. van Kan, 1986). In the end they act on the
+//! difference between the actual Δ and the assumed one. This is of second order, and leaves a sheet in equilibrium unchanged.
 
 use crate::grid::{Grid, Node};
 use crate::link::Links;
@@ -15,22 +15,22 @@ use super::History;
 use super::rule::TimeRule;
 use super::viscosity::{Axes, PASSES, diffuse};
 
-/// The grids of numbers in which a [`Pull`] is remembered.
+/// The number of grids that a [`Pull`] takes.
 const GRIDS: usize = 3;
 
-/// What springs and contacts did to velocities in the last substep: x, y and z.
+/// Δ, the velocity change by springs and contacts in the last substep: x, y and z.
 struct Pull<'a, S, const W: usize, const H: usize>(&'a mut [Grid<S, W, H>; GRIDS]);
 
-/// Dampers between their two turns in a part of a substep.
+/// The dampers' state between the two stages in which they act in a part of a substep.
 pub(super) struct Viscous<'a, S, const W: usize, const H: usize> {
     pull: Pull<'a, S, W, H>,
     axes: Axes<S>,
-    /// The velocities that springs started from.
+    /// The velocities from which springs start.
     started: Vectors<S, W, H>,
 }
 
 impl<'a, S: Scalar, const W: usize, const H: usize> Viscous<'a, S, W, H> {
-    /// Lets dampers act, if there are any, with what springs did in the last substep, if that is known.
+    /// Lets dampers act, if there are any, with the Δ of the last substep, or zero if it is unknown.
     #[inline(always)]
     pub(super) fn damp<L: Links<S>>(
         grids: &'a mut [Grid<S, W, H>],
@@ -48,7 +48,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Viscous<'a, S, W, H> {
         Some(Self { pull, axes, started })
     }
 
-    /// Lets dampers act on what springs and contacts have done since.
+    /// Lets dampers act on the velocity changes by springs and contacts since.
     #[inline(always)]
     pub(super) fn complete<L: Links<S>>(mut self, links: &L, particles: &mut Particles<S, W, H>, rule: &TimeRule<S>) {
         self.pull.complete(links, particles, self.started, &self.axes, rule.share());
@@ -56,9 +56,9 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Viscous<'a, S, W, H> {
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Pull<'_, S, W, H> {
-    /// Lets dampers act. Returns the velocities that springs start from.
+    /// Lets dampers act. Returns the velocities from which springs start.
     ///
-    /// A position depends on its velocity as `part`·h.
+    /// A position depends on its velocity by `part`·h.
     fn damp<L: Links<S>>(
         &self,
         links: &L,
@@ -81,8 +81,7 @@ impl<S: Scalar, const W: usize, const H: usize> Pull<'_, S, W, H> {
         damped
     }
 
-    /// Lets dampers act on what springs did to the velocities that they `started` from, as far as it is not what they did in the last substep. `share` of it
-    /// is what the next substep expects.
+    /// Lets dampers act on the difference between the new Δ, the velocity change since `started`, and the assumed one. The next substep will assume `share` of the new Δ.
     fn complete<L: Links<S>>(
         &mut self,
         links: &L,
@@ -104,7 +103,7 @@ impl<S: Scalar, const W: usize, const H: usize> Pull<'_, S, W, H> {
         }
     }
 
-    /// Expects nothing.
+    /// Sets Δ to zero.
     fn forget(&mut self) {
         *self.0 = [Grid::filled(S::ZERO); GRIDS];
     }

@@ -1,4 +1,4 @@
-//! A sweep over all links of a scene.
+//! The sweep over all links of a scene.
 
 use crate::grid::Grid;
 use crate::link::{Family, Links, Quotient, Visitor, directions};
@@ -11,39 +11,39 @@ use super::chain::Chain;
 use super::exponent::Exponent;
 use super::pairs::Pairs;
 
-/// The binary logarithm of κ from which on diagonals are solved exactly: softer ones converge as fast one by one, which is cheaper.
+/// The binary logarithm of the κ (scaled by the rule in time) above which diagonals are solved exactly. Softer ones converge as fast one by one, which is cheaper.
 const STIFF: u32 = 5;
 
-/// Which families a visit is for.
+/// The families that a pass over the links solves.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Pass {
-    /// All but those along rows and columns between neighbours.
+    /// All but the next one.
     Others,
-    /// Rows and columns.
+    /// Links between neighbours in a row or a column.
     Lines,
 }
 
-/// Relaxes links.
+/// The state of the sweeps in a part of a substep.
 pub(super) struct Relax<'a, S, const W: usize, const H: usize> {
     pub(super) particles: &'a mut Particles<S, W, H>,
     multipliers: &'a mut [Grid<S, W, H>],
     moment: Moment,
-    /// What the rule in time makes of κ.
+    /// The factor by which the rule in time scales κ.
     stiffness: S,
     pass: Pass,
-    /// Whether no sweep of this substep went before.
+    /// Whether this is the first sweep.
     first: bool,
-    /// The next family's grid of multipliers.
+    /// The index of the next family's grid of multipliers.
     slot: usize,
-    /// The largest strain of a row that the sweep found.
+    /// The largest residual strain that the sweep found, of rows and of regularised chains.
     residual: S,
     /// How corrections are rounded.
     rounding: Rounding,
     unit_mass: UnitMass<W, H>,
     exponent: Exponent,
-    /// The least inverse mass over the largest that is more than 1.
+    /// The least positive inverse mass, divided by the largest if that is more than 1.
     span: S,
-    /// Whether shorter steps converge better than more sweeps: they do unless a particle is lighter than an eighth of a mass.
+    /// Whether no particle is lighter than an eighth of a mass: then shorter steps converge better than more sweeps.
     pub(super) none_is_light: bool,
 }
 
@@ -74,7 +74,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         }
     }
 
-    /// Relaxes every link once, in the `first` sweep of a substep from nothing. Returns the largest strain of a row that it found.
+    /// Solves every family once; in the `first` sweep of a part of a substep, multipliers start at zero. Returns the largest residual strain that it found.
     pub(super) fn sweep<L: Links<S>>(&mut self, links: &L, first: bool) -> S {
         (self.first, self.residual) = (first, S::ZERO);
         for pass in [Pass::Others, Pass::Lines] {
@@ -88,8 +88,8 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         links.springs(self);
     }
 
-    /// What the rule in time makes of a family's κ. A taut chain between two pins has no pivot but for its divisor: of what a number can tell from nothing, a little is
-    /// left.
+    /// A chain's κ, scaled by the rule in time. The last pivot of a taut chain between two pins is nearly the divisor alone, so the divisor is at least a few units of the number
+    /// type's resolution.
     fn strength(&self, family: &Family<S>) -> Quotient<S> {
         let strength = family.strength.scaled(self.stiffness);
         let least = S::from_f64(8.0 * S::RESOLUTION);
@@ -135,7 +135,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Relax<'a, S, W, H> {
         }
         let pairs = Pairs::new(family, strength, self.moment, self.rounding, &self.unit_mass.rows, self.exponent);
         let memory = self.multipliers.get_mut(slots);
-        // without a memory a second time would count twice
+        // without stored multipliers, a second sweep would count the same correction twice
         if memory.is_none() && !self.first {
             return;
         }

@@ -1,6 +1,6 @@
-//! Rows solved one after the other, all of a row but the elimination for many links at once.
+//! Exact solves of rows, one after the other. All stages of a row except the elimination compute many links at once.
 //!
-//! A row is eliminated from both its ends to its middle, so that a mirrored sheet of even width is solved as the mirror image, to the last bit in floats.
+//! A row is eliminated from both ends to its middle, so that a mirrored sheet of even width is solved as the mirror image, to the last bit in floats.
 
 use crate::grid::Grid;
 use crate::particles::Particles;
@@ -15,31 +15,31 @@ use super::geometric_stiffness::geometric_stiffness;
 use super::regularise::regularisation;
 use super::tridiagonal::twisted;
 
-/// A row of links, at their left particles.
+/// A row of links, indexed by their left particles.
 struct Row<S, const W: usize> {
     normal: Vec3<[S; W]>,
-    /// The excess length of each but for what the multiplier accounts for from which it is solved: the last sweep's, or nothing in the first sweep.
+    /// The residual to be solved: excess length − divisor·multiplier, where the multiplier is that of the last sweep, or zero in the first sweep.
     residual: [S; W],
-    /// The same but for what the last multiplier accounts for, be it of the substep before: what is left unsolved, which springs don't hold.
+    /// The same with the last multiplier in any case, in the first sweep that of the substep before. It is the excess length that spring forces don't balance.
     unsolved: [S; W],
 }
 
 /// The matrix of a row.
 struct Coefficients<S, const W: usize> {
     diagonal: [S; W],
-    /// Of each link with the next one.
+    /// The coupling of each link with the next one.
     coupling: [S; W],
 }
 
 impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
-    /// Solves every row, in the `first` sweep of a substep from nothing. Returns the largest excess length that it found and springs did not hold before.
-    #[inline(never)] // one for all scenes of a grid
+    /// Solves every row; in the `first` sweep of a part of a substep, multipliers start at zero. Returns the largest unsolved excess length that it found.
+    #[inline(never)] // one copy for all scenes of a grid
     pub(super) fn rows(&self, particles: &mut Particles<S, W, H>, multipliers: &mut Grid<S, W, H>, first: bool) -> S {
         let mut worst = S::ZERO;
         if W > 1 {
             for row in 0..H {
                 if self.unit_mass.pinned[row] {
-                    continue; // nor is what pins are strained by a reason to sweep on
+                    continue; // nothing moves, and strain between pins needs no further sweep
                 }
                 let multipliers = &mut multipliers.0[row];
                 worst = worst.max(if const { skips_masses::<S>() } && self.unit_mass.rows[row] {
@@ -52,7 +52,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         worst
     }
 
-    /// Solves a row.
+    /// Solves a row. Returns the largest unsolved excess length that it found.
     #[inline(always)]
     fn row<const UNIT_MASS: bool>(
         &self,
@@ -81,7 +81,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         found
     }
 
-    /// Gathers the links between these particles where they are used: what is returned is copied on a Cortex-M.
+    /// Gathers the links between these particles into `links`: a returned row would be copied on a Cortex-M.
     #[inline(always)]
     fn gather(
         &self,
@@ -104,7 +104,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         }
     }
 
-    /// The matrix of links with these directions between particles of these inverse masses.
+    /// The matrix for links with these directions, between particles with these inverse masses.
     #[inline(always)]
     fn coefficients<const UNIT_MASS: bool>(&self, normal: &Vec3<[S; W]>, w: &[S; W], divisor: S) -> Coefficients<S, W> {
         let own = self.own();
@@ -123,7 +123,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
         matrix
     }
 
-    /// Adds to multipliers what they change by, and moves the particles of a row.
+    /// Adds the changes to the multipliers, and moves the particles of a row.
     #[inline(always)]
     fn pull_row<const UNIT_MASS: bool>(
         &self,
@@ -148,7 +148,7 @@ impl<S: Scalar, const W: usize, const H: usize> Chain<'_, S, W, H> {
     }
 }
 
-/// The largest of these, whatever its sign.
+/// The largest magnitude.
 #[inline(always)]
 fn largest<S: Scalar, const W: usize>(residuals: &[S; W]) -> S {
     residuals.iter().fold(S::ZERO, |most, residual| most.max(residual.abs()))

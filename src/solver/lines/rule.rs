@@ -1,7 +1,7 @@
-//! The rule in time, as the links of a substep see it.
+//! The rule in time for the links of a substep.
 //!
-//! From where a substep is predicted to end, links move particles on by `x' = x̂ + part·h·(v' − v̂)` and `v' = v̂ + part·h/(1 + part·γ·h)·a'`, since drag γ is implicit: backward Euler with
-//! part = 1, the second-order rule with part = ⅔ (see the [module](super)). In the first substep, whose history is missing, links follow backward Euler.
+//! From the predicted x̂ and v̂, links lead to `x' = x̂ + part·h·(v' − v̂)` and `v' = v̂ + part·h/(1 + part·γ·h)·a'`, since drag γ is implicit. Part = 1 is backward Euler,
+//! part = ⅔ the second-order rule (see the [module](super)). In the first substep, which has no history, links follow backward Euler.
 
 use crate::moment::Moment;
 use crate::scalar::Scalar;
@@ -10,13 +10,13 @@ use super::History;
 
 /// The coefficients of a rule in a part of a substep.
 pub(super) struct TimeRule<S> {
-    /// The part of a substep, which knows by how much velocities follow places.
+    /// The moment of the part of a substep; it relates displacements to velocity changes.
     pub(super) moment: Moment,
     /// x' depends on v' by part·h.
     pub(super) part: S,
     /// v' depends on a' by response·h, with the h of the whole substep.
     pub(super) response: S,
-    /// By which κ = k·h²/m of the whole substep is multiplied.
+    /// The factor of κ = k·h²/m, with the h of the whole substep.
     pub(super) stiffness: S,
 }
 
@@ -33,7 +33,8 @@ impl<S: Scalar> TimeRule<S> {
         Self { moment, part, response: response.halve(split), stiffness }
     }
 
-    /// The part of what springs did in this substep that they will do in the next one: those of backward Euler pull for a whole substep, the others for two thirds.
+    /// The share of the velocity change by springs in this substep that is assumed for the next one. In backward Euler, springs act for a whole substep, in the other rule for two
+    /// thirds.
     #[inline(always)]
     pub(super) fn share(&self) -> S {
         if self.part == S::ONE { S::from_f64(2.0 / 3.0) } else { S::ONE }

@@ -1,42 +1,43 @@
-//! Substeps that are split.
+//! Splitting of substeps into parts.
 //!
-//! A sweep leaves 1 − c/N² of what it finds on a grid of N particles a side, so where a step is long for the grid, no affordable number of sweeps converges. What they leave
-//! acts as a soft spring in the place of a stiff one, stretches the sheet and gives it energy. What is to be solved in a step, however, shrinks with its square: two half steps with
-//! one sweep each are worth more than a step with any number of them. So when the sweeps of a substep end with a row strained by more than twice the tolerance, the next substep
-//! is made in four times as many equal parts, with as many sweeps fewer in each. After a [streak](super::streak) of substeps that were solved easily every two parts are joined again.
+//! On a grid of N particles a side, a sweep leaves a residual of 1 − c/N² of the one before. So if a step is long for the grid, no affordable number of sweeps converges. The
+//! residual acts as a soft spring in place of a stiff one, stretches the sheet and gives it energy. The residual at the start of a step, however, shrinks with the square of the
+//! step: two half steps with one sweep each are worth more than one step with any number of sweeps. So if the sweeps of a substep end with a row strained by more than twice the
+//! tolerance, the next substep is made in four times as many equal parts, each with a quarter of the sweeps at most. After a [streak](super::streak) of substeps that were solved
+//! easily, every two parts are joined again.
 //!
-//! Parts are substeps in all respects: nothing is stiffened or damped that a shorter step of the caller would not. After a change the rule in time starts as after a
-//! rough substep, by backward Euler.
+//! Parts are substeps in all respects: they stiffen and damp nothing that a shorter step of the caller would not. After a change, the rule in time starts by backward Euler,
+//! as after a rough substep.
 
 use crate::scalar::Scalar;
 
 use super::streak::{Streak, is_easy};
 
-/// What the sweeps of a substep, or of its parts, came to.
+/// The result of the sweeps of a substep, or of some of its parts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Outcome<S> {
-    /// The largest strain of a row that a last sweep found, as far as shorter steps leave less.
+    /// The largest residual strain after the sweeps, or zero where shorter steps would not reduce it.
     pub(super) mendable: S,
-    /// Whether the least number of sweeps was enough everywhere.
+    /// Whether the least number of sweeps was enough in all parts.
     pub(super) few: bool,
 }
 
 impl<S: Scalar> Outcome<S> {
-    /// Of no part yet.
+    /// The result of no part yet.
     pub(super) const NONE: Self = Self { mendable: S::ZERO, few: true };
 
-    /// Of parts one after the other.
+    /// The result of both.
     pub(super) fn and(self, other: Self) -> Self {
         Self { mendable: self.mendable.max(other.mendable), few: self.few && other.few }
     }
 }
 
-/// The halvings by which a grid with a side of so many particles needs more parts than one of 32.
+/// The halvings that a grid with a side of so many particles may have more than one of 32.
 const fn longer(side: usize) -> u32 {
     2 * (side as u32).div_ceil(32).next_power_of_two().ilog2()
 }
 
-/// Into how many parts substeps are split.
+/// The number of parts of a substep.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Split {
@@ -47,21 +48,21 @@ pub(super) struct Split {
 }
 
 impl Split {
-    /// Not at all: nothing but zeros, so that a solver's memory needs no copy of its start.
+    /// One part. All zeros, so that a program stores no copy of a solver's first memory.
     pub(super) const NONE: Self = Self { halvings: 0, easy: Streak::NONE };
 
-    /// For the start of a sheet with a side of so many particles: a large one is not given the time to stretch.
+    /// The split at the start of a motion, for a side of so many particles. Large sheets start in parts: in one, they would stretch at once.
     pub(super) const fn start(side: usize, most_sweeps: u32) -> Self {
         Self { halvings: if most_sweeps > 1 { longer(side) as u8 } else { 0 }, ..Self::NONE }
     }
 
-    /// How often a substep is halved.
+    /// The binary logarithm of the number of parts.
     pub(super) fn halvings(self) -> u32 {
         u32::from(self.halvings)
     }
 
-    /// Learns what a substep came to. Returns whether the next one is split otherwise.
-    #[inline(never)] // one for all scenes
+    /// Adapts the split to the outcome of a substep. Returns whether it has changed.
+    #[inline(never)] // one copy for all scenes
     pub(super) fn learn<S: Scalar>(
         &mut self,
         outcome: &Outcome<S>,
@@ -81,7 +82,7 @@ impl Split {
     }
 }
 
-/// Further no substep is split: with more parts than that a damaged memory would never end a step.
+/// Refuses a damaged memory with so many parts that a step would never end.
 #[cfg(feature = "serde")]
 fn bounded<'de, D: serde::Deserializer<'de>>(from: D) -> Result<u8, D::Error> {
     let halvings: u8 = serde::Deserialize::deserialize(from)?;
@@ -111,7 +112,7 @@ mod tests {
             split.halvings()
         };
         assert_eq!(run(0.002, true, 31), 2);
-        // neither what is near the tolerance nor what takes sweeps is easy
+        // neither a residual near the tolerance nor a substep with more sweeps is easy
         assert_eq!(run(0.01, true, 80), 2);
         assert_eq!(run(0.002, false, 80), 2);
         assert_eq!(run(0.002, true, 32), 1);

@@ -1,33 +1,33 @@
-//! How long something has been easy.
+//! Hysteresis for the numbers of sweeps and parts.
 //!
-//! With more sweeps, or in shorter parts of a substep, a sheet answers more stiffly. What is stretched with few sweeps and let go with more gives back more than was put in, so
-//! sheets bounced for good whose sweeps or parts changed in every bounce. Both rise as soon as they are needed; they fall only after so many turns in a row in which
-//! less would have done that a bounce is over, and all of it went one way.
+//! With more sweeps, or in shorter parts of a substep, a sheet responds more stiffly. If it is stretched with few sweeps and released with more, it gives back more energy than
+//! was put in. So sheets whose sweeps or parts changed in every bounce bounced for good. Both numbers rise as soon as they are needed. They fall only after a streak of turns in
+//! which less would have been enough, long enough for a whole bounce with the same numbers.
 
 use crate::scalar::Scalar;
 
-/// The easy turns in a row after which less is done. With 16 sheets still bounce; 64 rest no more of them.
+/// The easy turns in a row after which a number falls. With 16, sheets still bounce; with 64, no more of them come to rest.
 const EASY: u8 = 32;
 
-/// What is easy: a residual within the tolerance over 2 to this power. Parts twice as long have residuals up to four times as large.
+/// A residual is easy below the tolerance over 2 to this power. Parts twice as long have residuals up to four times as large.
 const EASILY: u32 = 3;
 
-/// Whether a residual is so small that less would have done.
+/// Whether a residual is so small that fewer sweeps or parts would have been enough.
 pub(super) fn is_easy<S: Scalar>(residual: S, tolerance: S) -> bool {
     residual < tolerance.halve(EASILY)
 }
 
-/// For how many turns in a row something has been easy. Nothing but zeros at first, so that a solver's memory needs no copy of its start.
+/// The number of easy turns in a row. Zero at first, so that a program stores no copy of a solver's first memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(into = "u8", try_from = "u8"))]
 pub(super) struct Streak(u8);
 
 impl Streak {
-    /// None yet.
+    /// No easy turn yet.
     pub(super) const NONE: Self = Self(0);
 
-    /// Counts a turn. Returns whether it has been easy for long enough to do less, which starts the next count.
+    /// Counts a turn. Returns whether the streak is long enough for a number to fall; then the next count starts.
     pub(super) fn is_over(&mut self, easy: bool) -> bool {
         self.0 = if easy { self.0 + 1 } else { 0 };
         let over = self.0 == EASY;

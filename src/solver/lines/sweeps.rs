@@ -1,11 +1,11 @@
-//! How many sweeps a substep has at least.
+//! The number of sweeps that is kept from substep to substep.
 //!
-//! Their number rises at once where rows are strained, and falls one by one, each time after a [streak](super::streak) in which one sweep fewer would have done. A constant number
-//! brings a sheet to rest; one that rises and falls with the strain makes it bounce.
+//! The number rises at once if rows need more sweeps. It falls one by one, each time after a [streak](super::streak) in which one sweep fewer would have been enough. A constant
+//! number brings a sheet to rest; one that rises and falls with the strain makes it bounce.
 
 use super::streak::Streak;
 
-/// The sweeps that a substep has at least; 0 where the least number that the caller asks for is enough.
+/// The least number of sweeps in the next substep; 0 if the least number that the caller asks for is enough.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Kept {
@@ -14,15 +14,15 @@ pub(super) struct Kept {
 }
 
 impl Kept {
-    /// None: nothing but zeros, so that a solver's memory needs no copy of its start.
+    /// None. All zeros, so that a program stores no copy of a solver's first memory.
     pub(super) const NONE: Self = Self { sweeps: 0, easy: Streak::NONE };
 
-    /// Their number.
+    /// The number.
     pub(super) fn number(self) -> u32 {
         u32::from(self.sweeps)
     }
 
-    /// After so many sweeps where the caller asks for `least`; whether one fewer would have done.
+    /// The number after a substep with `sweeps` sweeps, of which the caller asks for `least`; `easy` if one sweep fewer would have been enough.
     pub(super) fn after(self, sweeps: u32, least: u32, easy: bool) -> Self {
         if sweeps <= least {
             return Self::NONE;
@@ -38,7 +38,7 @@ impl Kept {
 mod tests {
     use super::*;
 
-    /// What is kept after substeps that need so many sweeps.
+    /// The number kept after substeps that need so many sweeps.
     fn kept(needed: &[u32], easy: bool) -> u32 {
         let after = |kept: Kept, &needed: &u32| kept.after(needed.max(kept.number()), 2, easy);
         needed.iter().fold(Kept::NONE, after).number()

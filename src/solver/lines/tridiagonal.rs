@@ -1,16 +1,15 @@
-//! Tridiagonal systems: what rows, columns, diagonals, dampers and [taut chains](super::geometric_stiffness) solve.
+//! Tridiagonal systems, for rows, columns, diagonals, dampers and [taut chains](super::geometric_stiffness).
 //!
 //! A link shares a particle with the one before it and the one after it, so the equations of a chain of links are
 //!
 //! `d_k·x_k − c_{k−1}·x_{k−1} − c_k·x_{k+1} = r_k`,
 //!
-//! with a diagonal d, a coupling `c_k` of link k with the next one, and right sides r. Elimination down the chain leaves one unknown beside the next in each (L. Thomas,
-//! 1949):
+//! with a diagonal d, a coupling `c_k` of link k with the next one, and right sides r. Elimination down the chain expresses each unknown by the next one (L. Thomas, 1949):
 //!
 //! `x_k = R_k + (c_k/p_k)·x_{k+1}`,  pivots `p_k = d_k − c_{k−1}²/p_{k−1}`,  `R_k = (r_k + c_{k−1}·R_{k−1})/p_k`,
 //!
 //! and substitution up the chain finds them. Links of strength a/b between inverse masses w have `d_k = a·(w_k + w_{k+1}) + b` and `|c_k| ≤ a·w_{k+1}`, so
-//! `p_k ≥ a·w_{k+1} + b`, and no factor `c_k/p_k` is larger than 1: nothing grows on its way.
+//! `p_k ≥ a·w_{k+1} + b`, and no factor `c_k/p_k` is larger than 1: no term grows along the chain.
 //!
 //! [`twisted`] eliminates from both ends to the middle: a mirrored chain of an odd number of links is solved as the mirror image, to the last bit in floats.
 
@@ -19,7 +18,7 @@ use core::ops::{Add, AddAssign, Mul};
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
-/// What is solved for: a number, or a vector whose components have the same coefficients.
+/// An unknown of a system: a number, or a vector whose components have the same coefficients.
 pub(super) trait Unknown<S>: Copy + Add<Output = Self> + AddAssign + Mul<S, Output = Self> {
     /// Zero.
     const NONE: Self;
@@ -46,13 +45,13 @@ impl<S: Scalar> Unknown<S> for Vec3<S> {
     }
 }
 
-/// A product with 1/pivot, a coupling or a factor. Where all masses are 1 none of them is larger than 1: pivots are at least `a + b`, of which the larger is 1.
+/// A product with 1/pivot, a coupling or a factor. Where all masses are 1, none of these is larger than 1: pivots are at least `a + b`, and the larger of a and b is 1.
 #[inline(always)]
 pub(super) fn times<const UNIT_MASS: bool, S: Scalar, R: Unknown<S>>(x: R, ratio: S) -> R {
     if UNIT_MASS { x.scaled_by(ratio) } else { x * ratio }
 }
 
-/// What elimination leaves of one equation: `x = right + factor·(the next x)`.
+/// An equation after elimination: `x = right + factor·(the next x)`.
 #[derive(Clone, Copy)]
 pub(super) struct Eliminated<S, R = S> {
     pub(super) per_pivot: S,
@@ -60,10 +59,10 @@ pub(super) struct Eliminated<S, R = S> {
 }
 
 impl<S: Scalar, R: Unknown<S>> Eliminated<S, R> {
-    /// Of no equation: what stands before the first.
+    /// No equation: the start of an elimination.
     pub(super) const NONE: Self = Self { per_pivot: S::ZERO, right: R::NONE };
 
-    /// The first equation, without products with nothing.
+    /// The first equation, without the products that would be zero.
     #[inline(always)]
     fn first<const UNIT_MASS: bool>(diagonal: S, right: R) -> Self {
         let per_pivot = diagonal.recip();
@@ -78,13 +77,13 @@ impl<S: Scalar, R: Unknown<S>> Eliminated<S, R> {
         (self.then::<UNIT_MASS>(pivot, coupling, right), factor)
     }
 
-    /// The next equation, of this pivot. Its coupling back may be another than this one's with it.
+    /// The next equation, with this pivot. The matrix need not be symmetric: `coupling` is that of the next equation with this one.
     #[inline(always)]
     pub(super) fn then<const UNIT_MASS: bool>(self, pivot: S, coupling: S, right: R) -> Self {
         Self::first::<UNIT_MASS>(pivot, right + times::<UNIT_MASS, S, R>(self.right, coupling))
     }
 
-    /// The unknown of an equation between two eliminated ones, and its factors in both.
+    /// The unknown of an equation between two eliminated ones, and its factors in these.
     #[inline(always)]
     fn between(self, other: Self, diagonal: S, couplings: [S; 2], right: R) -> (R, [S; 2]) {
         let factors = [couplings[0] * self.per_pivot, couplings[1] * other.per_pivot];
@@ -93,7 +92,7 @@ impl<S: Scalar, R: Unknown<S>> Eliminated<S, R> {
     }
 }
 
-/// Solves a chain of `N` particles, whose `N − 1` links have these diagonals, couplings with the next link, and right sides. What follows the last is zero.
+/// Solves a chain of `N` particles, whose `N − 1` links have these diagonals, couplings with the next link, and right sides. The last element of the result is zero.
 #[inline(always)]
 pub(super) fn twisted<const UNIT_MASS: bool, S: Scalar, R: Unknown<S>, const N: usize>(
     diagonal: impl Fn(usize) -> S,
@@ -115,7 +114,7 @@ pub(super) fn twisted<const UNIT_MASS: bool, S: Scalar, R: Unknown<S>, const N: 
         }
         x[k] = before.right;
     }
-    // counted this way a compiler sees that nothing is out of bounds
+    // counted this way, so that the compiler sees that no index is out of bounds
     for turn in 0..links - 1 - middle {
         let k = links - 1 - turn;
         if turn == 0 {
@@ -166,7 +165,7 @@ mod tests {
         0.1 * libm::sin(k as f64 + 0.5)
     }
 
-    /// What is left of the right sides, at most.
+    /// The largest residual.
     fn left_over(x: &[f64; N]) -> f64 {
         let neighbours = |k: usize| {
             let before = if k > 0 { coupling(k - 1) * x[k - 1] } else { 0.0 };

@@ -1,4 +1,4 @@
-//! Where a substep starts by the rule that looks back two steps.
+//! The prediction of a substep: the positions and velocities at its end without links.
 
 use crate::force::{Force, Row};
 use crate::moment::Moment;
@@ -9,7 +9,7 @@ use crate::vec3::Vec3;
 
 use super::{History, LinesMemory};
 
-/// Moves particles to where they would be without links.
+/// Moves particles to where they would be at the end of a part of a substep without links.
 #[inline(always)]
 pub(super) fn predict<S: Scalar, F: Force<S>, T, P, const W: usize, const H: usize>(
     forces: &F,
@@ -43,7 +43,7 @@ fn first_order<S: Scalar, F: Force<S>, T, P, const W: usize, const H: usize>(
         },
         |position, velocity| [position, velocity],
     );
-    // apart: in one loop, which the compiler unrolls, it took 2 % more flash
+    // in a loop of its own: a common one, which the compiler unrolls, took 2 % more flash
     one_step::drift(particles, moment.shift);
 }
 
@@ -106,8 +106,8 @@ struct Rule<S> {
 }
 
 impl<S: Scalar> Rule<S> {
-    /// Moves a row, given its velocity before the last substep and two thirds of what it gains.
-    #[inline(never)] // so that its rows are known to be apart
+    /// Moves a row, given its velocities at the start of the last substep and two thirds of its gain.
+    #[inline(never)] // so that the compiler knows that rows don't alias
     fn row<const W: usize, const H: usize>(
         &self,
         particles: &mut Particles<S, W, H>,
@@ -121,7 +121,7 @@ impl<S: Scalar> Rule<S> {
         for column in 0..W {
             let (v, earlier) = (velocity.at(column), earlier.at(column));
             let next = slow(v + (v - earlier) * self.third + gain.at(column));
-            // a pin goes on as it was told; no branch, so that four particles can move at once
+            // a pin keeps its velocity; no branch, so that four particles can move at once
             let pinned = inverse_mass[column] == S::ZERO;
             velocity.set(column, v.or(next, pinned));
             let drift = next * self.two_thirds + (v + earlier) * self.sixth;
@@ -130,7 +130,7 @@ impl<S: Scalar> Rule<S> {
     }
 }
 
-/// A row's positions and velocities at the substep's end, extrapolated from the last two substeps. Wind at its start would be of first order.
+/// A row's positions and velocities at the substep's end, extrapolated from the last two substeps. Wind at the start of the substep would be of first order.
 #[inline]
 fn ahead<S: Scalar, T, P, const W: usize, const H: usize>(
     particles: &Particles<S, W, H>,
@@ -143,7 +143,7 @@ fn ahead<S: Scalar, T, P, const W: usize, const H: usize>(
     let earlier = if start { velocity } else { memory.earlier.0[row] };
     for column in 0..W {
         let v = velocity.at(column);
-        // a pin has the velocity that it was given, from one substep to the next
+        // a pin keeps its velocity
         let pinned = particles.inverse_mass.0[row][column] == S::ZERO;
         let change = Vec3::ZERO.or(v - earlier.at(column), pinned);
         velocity.set(column, v + change);

@@ -1,10 +1,10 @@
-//! Dampers, all at once and implicitly.
+//! Implicit dampers, all at once.
 //!
-//! What dampers do to velocities within a substep is diffusion on the grid, `(1 + W·L)·v' = v`, with inverse masses W and the Laplacian L of all dampers, each
-//! weighted with its `κ = k_d·h/m`. Explicit ones explode where κ is large; taken one by one, each implicitly, they don't carry a motion further than a link and hold
-//! a sheet up in the air. Here rows and then columns are solved exactly, for the strength of all families along them: that is `(1 + X)·(1 + Y)·v' = v`
-//! (D. Peaceman, H. Rachford, 1955). Diagonals count as two links each way and links of two cells as four: what they are to smooth motions, and never less than
-//! they are to others, so that passes for what is left over converge. Three make the error of third order in κ.
+//! Within a substep, dampers diffuse velocities over the grid: `(1 + W·L)·v' = v`, with inverse masses W and the Laplacian L of all dampers, each weighted with its
+//! `κ = k_d·h/m`. Explicit dampers explode where κ is large. Implicit ones taken one by one carry a motion no further than a link, and a sheet hangs in the air. Here rows and
+//! then columns are solved exactly, with the strength of all families along them: `(1 + X)·(1 + Y)·v' = v` (D. Peaceman, H. Rachford, 1955). A diagonal counts as two links each
+//! way, and a link over two cells as four. That is their effect on smooth motions, and no less than their effect on others, so further passes over the residual converge. Three
+//! passes make the error of third order in κ.
 
 use crate::grid::{Grid, Node};
 use crate::link::{Family, Links, OneByOne, Order, Quotient, Visitor, fits, one_by_one};
@@ -14,13 +14,13 @@ use crate::vectors::Vectors;
 
 use super::tridiagonal::twisted;
 
-/// The passes that make the rule in time one of second order.
+/// The number of passes that makes the rule in time one of second order.
 pub(super) const PASSES: u32 = 3;
 
-/// The least 1/κ in fixed point: stronger dampers leave no digits to what they let pass.
+/// The least 1/κ in fixed point: the velocity differences that stronger dampers leave would have no digits.
 const WEAKEST: f64 = 1.0 / 64.0;
 
-/// Solves `(1 + W·L)·v' = v`, the more accurately the more `passes`.
+/// Solves `(1 + W·L)·v' = v` approximately; more `passes` are more accurate.
 #[inline(never)] // called twice
 pub(super) fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     links: &L,
@@ -48,8 +48,8 @@ pub(super) fn diffuse<S: Scalar, L: Links<S>, const W: usize, const H: usize>(
     }
 }
 
-/// The least 1/κ that is solved: in floats a little of what they can tell from the largest inverse mass, since a row between two pins has no other pivot.
-#[inline(never)] // of any length: written out for a grid, the chain of comparisons takes compilers ages
+/// The least 1/κ that is solved. In floats it is a few rounding errors of the largest inverse mass: the last pivot of a row between two pins is nearly 1/κ alone.
+#[inline(never)] // for any length: unrolled for a grid, the comparisons take very long to compile
 fn weakest<S: Scalar>(inverse_mass: &[S]) -> S {
     if S::EXACT_SUMS {
         S::from_f64(WEAKEST)
@@ -60,7 +60,7 @@ fn weakest<S: Scalar>(inverse_mass: &[S]) -> S {
 
 /// The strength of all dampers along rows and columns.
 pub(super) struct Axes<S> {
-    /// How a velocity depends on its acceleration, in units of the substep.
+    /// A velocity depends on its acceleration by response·h.
     response: S,
     /// The least 1/κ of a family.
     weakest: S,
@@ -68,7 +68,7 @@ pub(super) struct Axes<S> {
     down: Quotient<S>,
 }
 
-/// Adds up [`Axes`] of the families that damp a link.
+/// Adds up the [`Axes`] of the families that have a link in the grid.
 struct Sum<'a, S, const W: usize, const H: usize> {
     axes: Option<Axes<S>>,
     inverse_mass: &'a Grid<S, W, H>,
@@ -105,7 +105,7 @@ impl<S: Scalar, const W: usize, const H: usize> OneByOne<S> for Sum<'_, S, W, H>
     }
 }
 
-/// Takes what dampers do from what is left over, which is counted in units of 2^shift.
+/// Subtracts W·L·v' from the residual `rest`, which is in units of 2^shift.
 struct Brake<'a, S, const W: usize, const H: usize> {
     velocity: &'a Vectors<S, W, H>,
     inverse_mass: &'a Grid<S, W, H>,
@@ -140,7 +140,7 @@ const fn none<S: Scalar>() -> Quotient<S> {
 }
 
 impl<S: Scalar> Axes<S> {
-    /// None if there are none: a scene that is put together while the program runs may have none.
+    /// `None` without dampers: a scene that is assembled at run time may have none.
     pub(super) fn of<const W: usize, const H: usize>(
         links: &impl Links<S>,
         inverse_mass: &Grid<S, W, H>,
@@ -157,7 +157,7 @@ impl<S: Scalar> Axes<S> {
         Quotient { divisor: strength.divisor.max(self.weakest), ..strength }
     }
 
-    /// The logarithm to base 2 of a unit in which fixed point holds what dampers do between particles of such velocities.
+    /// The logarithm to base 2 of a unit in which the velocity changes by dampers fit fixed point, for particles with such velocities.
     fn shift<const W: usize, const H: usize>(&self, velocity: &Vectors<S, W, H>) -> u32 {
         let mut shift = 0;
         let all = self.across.plus(self.down);
@@ -187,8 +187,8 @@ impl<S: Scalar> Axes<S> {
     }
 }
 
-/// Solves a row or a column for the impulse μ of each damper, in units of the strength's dividend a,
-/// `(b + a·(w_i + w_{i+1}))·μ_i − a·w_i·μ_{i−1} − a·w_{i+1}·μ_{i+1} = v_{i+1} − v_i`: so momentum is kept to the last place, and no pivot vanishes with b.
+/// Solves a row or a column for the impulse μ of each damper, in units of the strength's dividend a:
+/// `(b + a·(w_i + w_{i+1}))·μ_i − a·w_i·μ_{i−1} − a·w_{i+1}·μ_{i+1} = v_{i+1} − v_i`. Impulses keep momentum to the last place, and no pivot vanishes with b.
 fn solve_line<S: Scalar, const N: usize>(strength: Quotient<S>, w: &[S; N], v: &mut Vec3<[S; N]>) {
     let Quotient { dividend, divisor } = strength;
     let impulse: [Vec3<S>; N] = twisted::<false, S, Vec3<S>, N>(
@@ -248,7 +248,7 @@ mod tests {
         w
     }
 
-    /// The root mean square of `v − (1 + W·L)·v'`.
+    /// The root mean square of the residual `v − (1 + W·L)·v'`.
     fn left_over<L: Links<f64>>(
         links: &L,
         w: &Grid<f64, W, H>,
