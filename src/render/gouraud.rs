@@ -106,7 +106,7 @@ mod tests {
         places.filter_map(|at| Some((at, display.get_pixel(at)?.luma()))).collect()
     }
 
-    /// The pixels that a triangle, partly beside the display, has on a display of 64 × 64 pixels.
+    /// The pixels that a triangle covers on a display of 64 × 64 pixels. It may reach beyond the display.
     fn filled(corners: [Spot; 3], levels: [i32; 3]) -> Vec<(Point, u8)> {
         let mut display = MockDisplay::new();
         let ring = core::array::from_fn(|k| Corner { spot: corners[k], values: [(levels[k] << 8) + 128] });

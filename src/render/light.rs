@@ -76,7 +76,7 @@ pub struct Finish {
 /// The w of [`Light`], of 256: how far the light reaches around an edge, because the lamp is wide and not a point.
 const WRAP: i32 = 80;
 
-/// `number/(256 + WRAP)`, rounded towards zero, by the divisor's reciprocal, rounded up: exact for `number = (cosine + WRAP)·256` with any cosine, of 256.
+/// `number/(256 + WRAP)`, rounded towards zero, by the divisor's reciprocal, rounded up. Exact for `(facing + WRAP)·256` with |facing| ≤ 256.
 const fn over_wrapped(number: i32) -> i32 {
     const DIVISOR: u32 = 256 + WRAP as u32;
     // `number` is a multiple of 256: four of its zero bits are dropped, so that the product fits 32 bits
