@@ -18,7 +18,7 @@ use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::{Strength, Units};
 
-/// A sheet's size, mass and step are at most this and at least its inverse, in SI units. Other quantities are in units of these, so an error would name the wrong key.
+/// A sheet's size, mass and step are at most this and at least its inverse, in SI units. Without this check an error would name a quantity scaled by these.
 const EXTREME: f64 = 1e18;
 /// The largest number of pins to which tethers may be attached.
 const ANCHORS: usize = 256;

@@ -140,7 +140,7 @@ impl SubAssign for Counted {
     }
 }
 
-/// The operations of [`Scalar::direction`] in addition: a squared length, and the product of a vector and a number.
+/// The further operations of [`Scalar::direction`]: a squared length, and a vector times a number.
 const DIRECTION: Operations = Operations { additions: 2, products: 6, ..Operations::NONE };
 
 /// The operations of `f32` in both [`Scalar::elongation`] and [`Scalar::direction`]: a floor, a root, a quotient and a difference.

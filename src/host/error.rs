@@ -55,7 +55,7 @@ fn plain(message: &str) -> String {
     let found = match found {
         "map" => "table",
         "sequence" => "list",
-        // An integer beyond 64 bits; a string ends with its quotes.
+        // the end of an integer beyond 64 bits; a string ends with its quotes
         _ => found.trim_end_matches(" as i128"),
     };
     let expected = match expected {

@@ -55,7 +55,7 @@ impl<S: Scalar> Fit<S> {
     }
 }
 
-/// Checks that numbers which may come from no scene file are finite.
+/// Checks that numbers are finite. For numbers that come from no scene file.
 pub(super) fn finite(key: &str, values: &[f64]) -> Result<(), SceneError> {
     if values.iter().all(|value| value.is_finite()) { Ok(()) } else { Err(SceneError::new(key, "must be finite")) }
 }

@@ -13,7 +13,7 @@ pub(super) struct Range<S> {
 }
 
 impl<S: Scalar> Range<S> {
-    /// An iterator in place of a grid: compiled for each number type, not for each grid.
+    /// Takes an iterator: compiled for each number type, not for each grid.
     pub(super) fn new(positions: &mut dyn Iterator<Item = Vec3<S>>) -> Self {
         Self { last: positions.collect(), left: false }
     }

@@ -383,7 +383,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
     }
 }
 
-/// Takes an iterator in place of a grid: compiled for each number type, not for each grid.
+/// Takes an iterator: compiled for each number type, not for each grid.
 fn scaled<S: Scalar>(vectors: &mut dyn Iterator<Item = Vec3<S>>, unit: f64) -> Vec<[f64; 3]> {
     vectors.map(|vector| vector.to_f64().map(|component| component * unit)).collect()
 }

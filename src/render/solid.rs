@@ -16,7 +16,7 @@ pub use rod::Rod;
 
 /// Solids in a picture: `()` has none, a pair has both, an array or a slice has all of its members.
 ///
-/// The outline of a solid, as the eye sees it, spans a plane. The solid may hide a face that is outside of it and beyond that plane; any
+/// The outline of a solid, as the eye sees it, defines a plane. The solid may hide a face that is outside of it and beyond that plane; any
 /// other face may hide the solid. The cells of a sheet are therefore drawn in two groups, before and after the solid, and never cut.
 pub trait Solids<S: Scalar> {
     /// The number of solids.
