@@ -46,7 +46,7 @@ impl SceneError {
     }
 }
 
-/// A message about found and expected types, with the types of a scene file instead of those of Rust.
+/// The message with the types of a scene file instead of those of Rust.
 fn plain(message: &str) -> String {
     let parts = message.strip_prefix("invalid type: ").and_then(|types| types.rsplit_once(", expected "));
     let Some((found, expected)) = parts else {
@@ -74,8 +74,7 @@ impl fmt::Display for SceneError {
 
 impl core::error::Error for SceneError {}
 
-/// The text with control characters, line separators and direction marks escaped. A terminal finds no command in it, and names of files, keys and scenes stay
-/// in their line and in their direction.
+/// The text with control characters, line separators and direction marks escaped: a terminal finds no command in it, and names stay in their line and direction.
 pub fn printable(text: &str) -> String {
     let is_hidden = |c: char| {
         // line separators, direction marks and the byte order mark

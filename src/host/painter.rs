@@ -88,13 +88,13 @@ impl<'a> Painter<'a> {
         Orbit::new(azimuth, elevation, self.view.distance)
     }
 
-    /// Looks at the same point from another direction and distance: the painter's [`orbit`](Self::orbit), turned. The light turns with it.
+    /// Looks at the same point from elsewhere: from the painter's [`orbit`](Self::orbit), turned. The light turns with it.
     pub fn look(&mut self, from: &Orbit) {
         self.view = self.view.seen_from(from);
         self.light = light(from.azimuth);
     }
 
-    /// The particle under a pixel of the picture of `still`, or the nearest one to it. `None` if the pixel is too far from the sheet.
+    /// The particle nearest to a pixel in the picture of `still`; `None` if the pixel is too far from the sheet.
     pub fn pick(&self, still: &Still, pixel: geometry::Point) -> Option<Node> {
         macro_rules! choose {
             ($(($columns:literal, $rows:literal, $faces:literal))*) => {
@@ -143,7 +143,7 @@ impl<'a> Painter<'a> {
     ///
     /// # Errors
     ///
-    /// Any error that the target reports.
+    /// Errors of the target.
     pub fn draw<D: DrawTarget<Color = Rgb888>>(&self, still: &Still, target: &mut D) -> Result<(), D::Error> {
         macro_rules! choose {
             ($(($columns:literal, $rows:literal, $faces:literal))*) => {

@@ -144,7 +144,7 @@ pub trait Simulation: Send {
     }
     /// Whether the sheet is at rest, so that the next frame is not computed if nothing changes: a scene's `[rest]`.
     fn is_at_rest(&self) -> bool;
-    /// The largest number of simultaneous contacts of pairs of particles in the last frame; `None` in a scene without `[self]`.
+    /// The largest number of pairs of particles in contact at once in the last frame; `None` without `[self]`.
     fn self_contacts(&self) -> Option<u32>;
     /// The number of pairs of an edge and a triangle of the sheet that pass through each other: see [`intersections`](crate::measure::intersections).
     fn intersections(&self) -> u32;
@@ -216,7 +216,7 @@ struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     /// Inverse masses of the sheet without pins.
     unpinned: Box<Grid<S, W, H>>,
     range: Range<S>,
-    /// The initial position of the first particle, and the largest distance of the sheet from there, cells.
+    /// The initial position of the first particle, and the sheet's largest distance from there, cells.
     start: [f64; 3],
     furthest: f64,
     /// The duration of a frame, s, and the distance that a pin is carried in it.
@@ -366,7 +366,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
     fn release(&mut self) {
         let mut held = core::mem::take(&mut self.scene.forces.3);
         if let Some(pin) = P::present(&mut held).and_then(Hand::drop).filter(|&node| self.cloth.is_pinned(node)) {
-            // it stays at its present position on the way to its target
+            // it may have been on its way to its target
             self.cloth.pin(pin);
         }
     }

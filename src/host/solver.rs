@@ -113,7 +113,7 @@ pub(super) struct LayeredMemory<S: Scalar, L: Links<S>, const W: usize, const H:
 }
 
 impl<S: Scalar, L: Links<S>, const W: usize, const H: usize> LayeredMemory<S, L, W, H> {
-    /// The largest number of simultaneous contacts of pairs of particles in the last frame.
+    /// The largest number of pairs of particles in contact at once in the last frame.
     pub(super) fn contacts(&self) -> Option<u32> {
         self.near.as_ref().map(|near| near.contacts)
     }

@@ -110,7 +110,7 @@ impl<S: Scalar> Camera<S> {
         self.target = target;
     }
 
-    /// The pixel at which a point (cells) appears, on or beside the screen; `None` if it is behind the camera, too near to it, or too far beside the screen.
+    /// The pixel at which a point (cells) appears, on or beside the screen; `None` if it is behind the camera, too near, or too far aside.
     pub fn project(&self, point: Vec3<S>) -> Option<Point> {
         self.spot(self.place(point)).map(|spot| Point::new(spot.x >> 8, spot.y >> 8))
     }
@@ -126,7 +126,7 @@ impl<S: Scalar> Camera<S> {
         Ray::line(through, direction, start.divide(self.nearness))
     }
 
-    /// The place (cells) under a pixel at the depth of `point`: the new place of a dragged particle when the pointer moves to that pixel.
+    /// The place (cells) under a pixel at the depth of `point`: the target of a particle dragged by a pointer.
     pub fn under(&self, pixel: Point, point: Vec3<S>) -> Vec3<S> {
         let Axes { right, up, forward } = self.axes;
         let depth = self.place(point).z;
@@ -135,7 +135,7 @@ impl<S: Scalar> Camera<S> {
         self.target + offset.map(|component| component.divide(self.nearness))
     }
 
-    /// A point's place in the coordinates of the eye: to the right, up, and depth, in distances to the target (whose place is 0, 0, 1).
+    /// A point in eye coordinates: right, up and depth, in distances to the target (which is at 0, 0, 1).
     pub fn place(&self, point: Vec3<S>) -> Vec3<S> {
         let Axes { right, up, forward } = self.axes;
         let offset = point - self.target;
@@ -163,7 +163,7 @@ impl<S: Scalar> Camera<S> {
         (spot.x.abs() < FARTHEST && spot.y.abs() < FARTHEST).then_some(spot)
     }
 
-    /// The intersection of the near plane with a segment from `hidden`, before that plane, to `seen`, beyond it.
+    /// The intersection of the near plane with a segment, of which `hidden` lies before it.
     pub(super) fn clip(hidden: Vec3<S>, seen: Vec3<S>) -> Vec3<S> {
         let part = (Self::near() - hidden.z).divide(seen.z - hidden.z);
         let mut cut = hidden + (seen - hidden) * part;
@@ -171,7 +171,7 @@ impl<S: Scalar> Camera<S> {
         cut
     }
 
-    /// Whether a line between two pixels may cross the screen; false if both ends lie beyond the same edge.
+    /// Whether a line between two pixels is not wholly beyond one edge of the screen.
     pub(super) fn may_show(&self, a: Point, b: Point) -> bool {
         a.x.max(b.x) >= 0 && a.y.max(b.y) >= 0 && a.x.min(b.x) < self.screen.0 && a.y.min(b.y) < self.screen.1
     }
@@ -206,7 +206,7 @@ impl<S: Scalar> Camera<S> {
         self.target
     }
 
-    /// A direction in the coordinates of the eye: to the right, up, forward.
+    /// A direction in eye coordinates: right, up, forward.
     pub(super) fn seen(&self, direction: Vec3<S>) -> Vec3<S> {
         let Axes { right, up, forward } = self.axes;
         Vec3::new(direction.dot(right), direction.dot(up), direction.dot(forward))
@@ -225,7 +225,7 @@ impl<S: Scalar> Axes<S> {
 }
 
 impl<S: Scalar> Turn<S> {
-    /// This direction turned by an angle in radians, and normalised so that it stays a unit vector after any number of turns.
+    /// Turned by an angle in radians, and normalised: it stays a unit vector after any number of turns.
     fn turned(self, angle: S) -> Self {
         // the series up to the fourth power
         let square = angle * angle;

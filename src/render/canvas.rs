@@ -57,7 +57,7 @@ impl<D: DrawTarget> Dirty<D> {
     /// Fills the [drawn](Self::drawn) box with one colour, and nothing else.
     ///
     /// # Errors
-    /// Any error that the target reports.
+    /// Errors of the target.
     pub fn erase(&mut self, color: D::Color) -> Result<(), D::Error> {
         let drawn = self.forget();
         if drawn.is_zero_sized() { Ok(()) } else { self.target.fill_solid(&drawn, color) }
@@ -66,7 +66,7 @@ impl<D: DrawTarget> Dirty<D> {
     /// Draws a backdrop over the [drawn](Self::drawn) box, and nowhere else.
     ///
     /// # Errors
-    /// Any error that `restore` returns.
+    /// Errors of `restore`.
     pub fn restore<E>(&mut self, restore: impl FnOnce(&mut Clipped<'_, D>) -> Result<(), E>) -> Result<(), E> {
         let drawn = self.forget();
         if drawn.is_zero_sized() { Ok(()) } else { restore(&mut self.target.clipped(&drawn)) }
@@ -99,7 +99,7 @@ struct Extent {
 }
 
 impl Extent {
-    /// No place of a display is further away than these bounds, and differences of places within them fit 32 bits.
+    /// No place of a display is further away; differences of places up to there fit 32 bits.
     const EMPTY: Self = Self { low: Point::new_equal(1 << 30), high: Point::new_equal(-(1 << 30)) };
 
     #[inline]
@@ -188,7 +188,7 @@ impl<D: DrawTarget> DrawTarget for Dirty<D> {
 
 /// A framebuffer that sends only the changed box to a display of the same size.
 ///
-/// Boxes are clipped to the buffer when they are sent. A picture entirely beside the buffer sends nothing; a picture partly beside it may send more than necessary.
+/// Boxes are clipped to the buffer when they are sent. A picture beside the buffer sends nothing; one partly beside it may send more than necessary.
 ///
 /// Memory: the framebuffer and three boxes (48 bytes).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -210,7 +210,7 @@ impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
     /// Fills the box of the last picture with one colour.
     ///
     /// # Errors
-    /// Any error that the buffer reports.
+    /// Errors of the buffer.
     pub fn erase(&mut self, color: <F as DrawTarget>::Color) -> Result<(), F::Error> {
         self.prepare();
         self.buffer.erase(color)
@@ -219,7 +219,7 @@ impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
     /// Draws a backdrop over the box of the last picture, and nowhere else.
     ///
     /// # Errors
-    /// Any error that `restore` returns.
+    /// Errors of `restore`.
     pub fn restore<E>(&mut self, restore: impl FnOnce(&mut Clipped<'_, F>) -> Result<(), E>) -> Result<(), E> {
         self.prepare();
         self.buffer.restore(restore)
@@ -231,21 +231,20 @@ impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
         self.erased.add(&self.buffer.drawn());
     }
 
-    /// Sends the box around everything erased or drawn since the last transfer, in one transfer. Sends nothing if that box is empty.
+    /// Sends the box around everything erased or drawn since the last call, in one transfer. An empty box is not sent.
     ///
     /// # Errors
-    /// Any error that the display reports. The next call then sends the same box again.
+    /// Errors of the display. The next call then sends the same box again.
     pub fn flush<D: DrawTarget<Color = <F as DrawTarget>::Color>>(&mut self, display: &mut D) -> Result<(), D::Error> {
         self.send(|buffer, changed| {
             display.fill_contiguous(changed, changed.points().filter_map(|at| buffer.pixel(at)))
         })
     }
 
-    /// Passes the box around everything erased or drawn since the last transfer to `send`, with the buffer: for a driver that takes rows of the buffer as
-    /// they are. Does nothing if that box is empty.
+    /// As [`flush`](Self::flush), but passes the buffer and the box to `send`: for a driver that takes rows of the buffer as they are.
     ///
     /// # Errors
-    /// Any error that `send` returns. The next call then sends the same box again.
+    /// Errors of `send`. The next call then sends the same box again.
     pub fn send<E>(&mut self, send: impl FnOnce(&F, &Rectangle) -> Result<(), E>) -> Result<(), E> {
         let mut changed = self.erased;
         changed.add(&self.buffer.drawn());

@@ -11,7 +11,7 @@ use embedded_graphics::primitives::Rectangle;
 use super::camera::Spot;
 use super::quotient::quotient;
 
-/// Twice the signed area of the triangle a, b, c: positive if its corners are in clockwise order on the screen.
+/// Twice the signed area of the triangle a, b, c: positive if clockwise on the screen.
 pub(super) fn turn(a: Spot, b: Spot, c: Spot) -> i64 {
     let (ab, ac) = ((b.x - a.x, b.y - a.y), (c.x - a.x, c.y - a.y));
     // a Cortex-M0 has no products of 64 bits; sides below 128 pixels do not need them
@@ -53,8 +53,8 @@ pub(super) fn face<D: DrawTarget>(
     triangle([t, q, s], color, area, target)
 }
 
-/// Whether both triangles of a face with these [`turns`] form one span in each row. They do if they lie on opposite sides of their common edge and their outline does not
-/// turn back up.
+/// Whether both triangles of a face with these [`turns`] form one span in each row. They do if they lie on opposite sides of their common edge and their outline
+/// does not turn back up.
 pub(super) fn is_one_span([one, other]: [i64; 2], ring: [Spot; 4]) -> bool {
     let apart = (one > 0 && other > 0) || (one < 0 && other < 0);
     apart && falls_twice(ring)

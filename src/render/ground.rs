@@ -28,7 +28,7 @@ pub trait Backdrop<S: Scalar> {
     /// Draws the backdrop over the whole target.
     ///
     /// # Errors
-    /// Any error that the target reports.
+    /// Errors of the target.
     fn draw<D: DrawTarget<Color: Shade>>(&self, camera: &Camera<S>, target: &mut D) -> Result<(), D::Error>;
 }
 

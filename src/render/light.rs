@@ -43,12 +43,12 @@ impl Light {
         }
     }
 
-    /// The light for normals in the coordinates of the scene.
+    /// The light for normals in scene coordinates.
     pub(super) fn lamp<S: Scalar>(&self, camera: &Camera<S>) -> Lamp {
         self.lamp_of(camera, |direction| direction)
     }
 
-    /// The light for normals in the coordinates of the eye.
+    /// The light for normals in eye coordinates.
     pub(super) fn lamp_seen<S: Scalar>(&self, camera: &Camera<S>) -> Lamp {
         self.lamp_of(camera, |direction| camera.seen(direction))
     }
@@ -73,19 +73,19 @@ pub struct Finish {
     pub translucency: i32,
 }
 
-/// The w of [`Light`], of 256: how far the light reaches around an edge, because the lamp is wide and not a point.
+/// The w of [`Light`], of 256: how far the light of a wide lamp reaches around an edge.
 const WRAP: i32 = 80;
 
 /// `number/(256 + WRAP)`, rounded towards zero, by the divisor's reciprocal, rounded up. Exact for `(facing + WRAP)·256` with |facing| ≤ 256.
 const fn over_wrapped(number: i32) -> i32 {
     const DIVISOR: u32 = 256 + WRAP as u32;
-    // `number` is a multiple of 256: four of its zero bits are dropped, so that the product fits 32 bits
+    // a multiple of 256: four of its zero bits are dropped so that the product fits 32 bits
     let size = number.unsigned_abs();
     let quotient = ((size >> 4) * ((1 << 20) / DIVISOR + 1)) >> 16;
     if number < 0 { -(quotient as i32) } else { quotient as i32 }
 }
 
-/// A light whose directions are in the coordinates of a picture's normals.
+/// A light, with its directions in the coordinates of the normals.
 #[derive(Clone, Copy, Debug)]
 pub struct Lamp {
     towards: Normal,

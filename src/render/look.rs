@@ -10,7 +10,7 @@ use super::pattern::Pattern;
 pub struct Look<F, B, O = (), G = ()> {
     /// The light on the whole scene.
     pub light: Light,
-    /// The pattern of the front: the side that faces up if the sheet is laid, and away from a viewer at azimuth 0 if it is hung.
+    /// The pattern of the front, which faces up if the sheet is laid, and away from a viewer at azimuth 0 if it is hung.
     pub front: F,
     /// The pattern of the back.
     pub back: B,

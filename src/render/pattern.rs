@@ -24,13 +24,13 @@ impl Width {
         Self(cells * CELL)
     }
 
-    /// A width in parts of a cell, with [`CELL`] parts to a cell: for fractions of a cell.
+    /// A width in parts of a cell ([`CELL`] of them to a cell), for fractions of a cell.
     pub const fn parts(parts: i32) -> Self {
         Self(parts)
     }
 }
 
-/// A position on the undeformed sheet, in parts of a cell, with [`CELL`] parts to a cell.
+/// A position on a sheet at rest, in parts of a cell ([`CELL`] of them to a cell).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The distance from the first column.
@@ -44,7 +44,7 @@ pub struct Place {
 }
 
 impl Place {
-    /// The middle of one of the `parts × parts` parts of a cell, at this column and row within the cell, on a sheet of `W × H` particles.
+    /// The middle of one of the `parts × parts` parts of a cell, at this column and row, on a sheet of `W × H` particles.
     pub(super) const fn middle<const W: usize, const H: usize>(
         cell: Node,
         [column, row]: [usize; 2],

@@ -84,7 +84,7 @@ impl<F: Pattern, B: Pattern, O, G, T, const W: usize, const H: usize, const N: u
     /// Draws the backdrop, the solids and the sheet.
     ///
     /// # Errors
-    /// Any error that the target reports.
+    /// Errors of the target.
     pub fn draw<S: Scalar, D: DrawTarget<Color: Shade>>(
         &mut self,
         particles: &Particles<S, W, H>,

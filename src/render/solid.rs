@@ -25,7 +25,7 @@ pub trait Solids<S: Scalar> {
     /// The depth of the middle of a solid, in distances to the camera's target. The deepest solid is drawn first.
     fn depth(&self, index: usize, camera: &Camera<S>) -> S;
 
-    /// Whether a solid may hide a place, in the coordinates of the eye: see [`Camera::place`].
+    /// Whether a solid may hide a place, in eye coordinates: see [`Camera::place`].
     fn hides(&self, index: usize, place: Vec3<S>, camera: &Camera<S>) -> bool;
 
     /// Whether any solid blocks the light at a point (cells). `towards` is the unit vector to the lamp.
@@ -34,7 +34,7 @@ pub trait Solids<S: Scalar> {
     /// Draws a solid.
     ///
     /// # Errors
-    /// Any error that the target reports.
+    /// Errors of the target.
     fn draw<D: DrawTarget<Color = Rgb888>>(
         &self,
         index: usize,

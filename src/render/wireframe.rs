@@ -63,7 +63,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Wireframe<'a, S, W, H> {
     /// Draws light lines that get dimmer with depth.
     ///
     /// # Errors
-    /// Any error that the target reports.
+    /// Errors of the target.
     pub fn draw<D: DrawTarget<Color: Shade>>(&self, target: &mut D) -> Result<(), D::Error> {
         self.each(|line, depth| {
             let luma = (LUMA - (depth - S::ONE).round_times(FALL)).clamp(DIMMEST, 255) as u8;

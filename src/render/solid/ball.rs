@@ -102,7 +102,7 @@ impl<S: Scalar> Solids<S> for Ball<S> {
     }
 }
 
-/// A ball in the coordinates of the eye, with middle c and radius r.
+/// A ball in eye coordinates, with middle c and radius r.
 ///
 /// A ray t·(x, y, 1) intersects it if b² ≥ k·(x² + y² + 1), where b = (x, y, 1)·c and k = c² − r².
 #[derive(Clone, Copy)]

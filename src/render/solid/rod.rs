@@ -113,7 +113,7 @@ impl<S: Scalar> Solids<S> for Rod<S> {
     }
 }
 
-/// The cylindrical side of a rod in the coordinates of the eye.
+/// The cylindrical side of a rod in eye coordinates.
 ///
 /// A ray intersects it where its component perpendicular to the axis is `radius` away from the axis.
 struct Side<S> {
