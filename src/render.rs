@@ -1,19 +1,19 @@
 //! Drawing a sheet on any `embedded-graphics` display.
 //!
-//! Pictures are computed in the sheet's own number type, without a float routine for fixed point and without an allocation, so that
-//! every board draws the same. A [`View`], evaluated when firmware is compiled, says where one looks from; a [`Camera`] holds it while
-//! the program runs. Then there are two ways to draw:
+//! Pictures are computed in the sheet's own number type, so every board draws the same picture. Drawing allocates no memory, and uses
+//! no float routine in fixed point. A [`View`] describes direction, distance and field of view, and can be evaluated at compile time.
+//! A [`Camera`] is made from a view at run time. There are two renderers:
 //!
 //! * [`Wireframe`] draws the links. It needs no memory.
-//! * [`Shaded`] draws lit faces, with a [`Pattern`] on each side, [`Solids`] that the sheet lies on or hangs before, and a [`Ground`]
-//!   that may catch a soft [`Shadow`]. It needs 16 bytes per particle, and the shadow its map. Faces have one tone each, or tones go from
-//!   particle to particle ([`Gouraud`]).
+//! * [`Shaded`] draws lit faces, with a [`Pattern`] on each side, [`Solids`] that the sheet lies on or hangs in front of, and a
+//!   [`Ground`] with an optional soft [`Shadow`]. It needs 16 bytes per particle, and the shadow's map. Each face has one tone, or
+//!   tones are interpolated between particles ([`Gouraud`]).
 //!
-//! What isn't named isn't there: a [`Look`] of a plain sheet has no ball, no ground and no shadow, and links no code for them. A
-//! [`Canvas`] sends only what changed to the display.
+//! A [`Look`] contains only the parts that it names: for a plain sheet, no code for balls, ground or shadow is linked. A [`Canvas`]
+//! sends only the changed part of a picture to the display.
 //!
-//! Colours are [tones](Shade) of 8 bits per channel until they reach the display: the same program draws in 24 and 16 bits, on gray
-//! displays and, as patterns of dots, in black and white.
+//! Colours are [tones](Shade) of 8 bits per channel until they reach the display. The same program therefore draws in 24 and 16 bits, on
+//! grey displays and, as patterns of dots, in black and white.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
@@ -39,7 +39,7 @@
 //! let mut display = MockDisplay::<Rgb565>::new();
 //! # display.set_allow_overdraw(true);
 //! shaded.draw(&cloth, &camera, &mut display)?;
-//! // The ball moves, the eye goes round
+//! // Move the ball and turn the camera
 //! shaded.look.solids.centre = UNITS.point([0.01, 0.0, 0.0]).to_vec();
 //! camera.orbit(Q24::from_bits(1 << 18), Q24::from_bits(0));
 //! shaded.draw(&cloth, &camera, &mut display)?;

@@ -1,4 +1,4 @@
-//! From a description to the core's types, in one number type.
+//! The conversion of a description to the core's types, in one number type.
 
 use std::format;
 use std::vec::Vec;
@@ -18,16 +18,16 @@ use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::units::{Strength, Units};
 
-/// No sheet's size, mass or step is above this or below its inverse in SI units. Other quantities are measured by these, and would look like the fault.
+/// A sheet's size, mass and step are at most this and at least its inverse, in SI units. Without this check an error would name a quantity scaled by these.
 const EXTREME: f64 = 1e18;
-/// Pins that tethers may hold to.
+/// The largest number of pins to which tethers may be attached.
 const ANCHORS: usize = 256;
 
 pub(super) type Forces<S, P> = (Gravity<S>, Option<Drag<S>>, <P as Parts<S>>::Air, <P as Parts<S>>::Hand);
 type Family<S, P, L> = Option<<P as Parts<S>>::Springs<L>>;
 type Families<S, P> = (Family<S, P, Stretch<S>>, Family<S, P, Shear<S>>, Family<S, P, Bend<S>>);
 
-/// All links of a scene, each family there or not.
+/// All links of a scene. Each family is optional.
 pub(super) struct SceneLinks<S: Scalar + Send, P: Parts<S>> {
     pub(super) springs: Families<S, P>,
     limit: Option<StrainLimited<Families<S, P>, S>>,
@@ -82,7 +82,7 @@ impl Description {
         Ok(Units::sheet(particles, size, sheet.mass, self.solver.step, self.solver.substeps))
     }
 
-    /// The sheet at its start, without pins.
+    /// The sheet in its initial pose, without pins.
     pub(super) fn cloth<S: Scalar, const W: usize, const H: usize>(
         &self,
         units: &Units,
@@ -90,7 +90,7 @@ impl Description {
         let sheet = &self.sheet;
         let [width, height] = ["cloth.width", "cloth.height"];
         for (side, (count, key, other)) in units.sides.into_iter().zip([(W, width, height), (H, height, width)]) {
-            // Links count with the inverse square of their rest length.
+            // Links need the inverse square of their rest length.
             let numbers = [side, 1.0 / (side * side)];
             if count > 1 && numbers.into_iter().any(|number| Fit::<S>::number(key, number).is_err()) {
                 return Err(SceneError::new(key, format!("too small beside {other} for {}", S::NAME)));
@@ -114,7 +114,7 @@ impl Description {
         }
         if let Some(hem) = sheet.hem {
             let factor = Fit::<S>::number("cloth.hem", hem)?;
-            // the inverse masses at both ends of a link: of a corner and its neighbour if particles share the area
+            // the largest sum of inverse masses at the ends of a link: a corner and its neighbour if particles share the area
             let most = if sheet.shares_area() { 4.0 + 2.0 } else { 2.0 };
             Fit::<S>::number("cloth.hem", most / hem)?;
             Fit::<S>::number("cloth.hem", 1.0 / hem)?;
@@ -136,7 +136,7 @@ impl Description {
     }
 
     pub(super) fn links<S: Scalar + Send, P: Parts<S>>(&self, units: &Units) -> Result<SceneLinks<S, P>, SceneError> {
-        // A sweep of Verlet has its part of the stiffness.
+        // A sweep of Verlet applies its part of the stiffness.
         let parts = if self.solver.kind == SolverKind::Verlet { self.solver.iterations } else { 1 };
         let springs = (
             family::<S, P, _>(units, "stretch", self.stretch, parts, Stretch::new)?,
@@ -168,7 +168,7 @@ impl Description {
     }
 }
 
-/// The core's gravity, from m/s².
+/// Makes the core's gravity, from m/s².
 pub(super) fn gravity<S: Scalar>(units: &Units, gravity: [f64; 3]) -> Result<Gravity<S>, SceneError> {
     finite("environment.gravity", &gravity)?;
     let acceleration = units.acceleration(gravity);

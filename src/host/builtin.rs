@@ -1,9 +1,9 @@
-//! The scenes that need no file.
+//! The built-in scenes, which need no file.
 
-/// A scene of the crate.
+/// A built-in scene.
 #[derive(Clone, Copy, Debug)]
 pub struct BuiltIn {
-    /// What it is called on the command line.
+    /// Its name on the command line.
     pub name: &'static str,
     /// Its scene file.
     pub text: &'static str,
@@ -19,7 +19,7 @@ macro_rules! built_in {
 }
 built_in! { "gravity" "sphere" "wind" "no-shear" "flag" "curtain" "drape" "heap" "fold" }
 
-/// The scene that runs where none is named.
+/// The scene that runs if none is named.
 pub const DEFAULT_SCENE: &str = "drape";
 
 /// The built-in scene called `name`.

@@ -1,8 +1,8 @@
-//! What a scene file chooses by its name.
+//! Choices that a scene file makes by name.
 
 use serde::Deserialize;
 
-/// How a sheet starts.
+/// The initial pose of a sheet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Pose {
@@ -13,7 +13,7 @@ pub enum Pose {
     Hang,
 }
 
-/// What is woven into a sheet.
+/// The pattern of a sheet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Weave {
@@ -24,7 +24,7 @@ pub enum Weave {
     Stripes,
     /// A chessboard.
     Checks,
-    /// Bands both ways: where they cross the colour is full, elsewhere half.
+    /// Bands in both directions: full colour where two bands cross, half on the rest of a band.
     Gingham,
     /// Gingham with a border of the second colour.
     Kerchief,
@@ -44,7 +44,7 @@ pub enum SolverKind {
     Leapfrog,
     /// Extended position-based dynamics.
     Xpbd,
-    /// Whole rows and columns of links at once.
+    /// Whole rows and columns of links, each solved at once.
     Lines,
 }
 

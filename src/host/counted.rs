@@ -1,4 +1,4 @@
-//! A number that counts what is done with it.
+//! A number type that counts its operations.
 
 use core::cell::Cell;
 use core::cmp::Ordering;
@@ -7,10 +7,10 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 use crate::scalar::panel::Panel;
 use crate::scalar::{Rest, Scalar};
 
-/// `f32` to the last bit, but every operation is counted: what a solver costs on any machine.
+/// `f32` to the last bit, but every operation is counted: the cost of a solver on any machine.
 ///
-/// The counts belong to the thread. Changes of sign and conversions are not counted; a number that a [fingerprint](crate::fingerprint) takes in is a
-/// comparison, with what it was.
+/// The counts belong to the thread. Changes of sign and conversions are not counted. A number that a [fingerprint](crate::fingerprint) reads counts as one
+/// comparison, with its former value.
 ///
 /// ```
 /// use kerchief::host::Counted;
@@ -31,13 +31,13 @@ pub struct Counted(f32);
 pub struct Operations {
     /// Sums and differences.
     pub additions: u64,
-    /// Products, those with powers of two too.
+    /// Products, including those with powers of two.
     pub products: u64,
     /// Quotients and reciprocals.
     pub quotients: u64,
     /// Square roots.
     pub roots: u64,
-    /// Comparisons of two numbers, or of one with what it was.
+    /// Comparisons of two numbers, or of a number with its former value.
     pub comparisons: u64,
 }
 
@@ -49,12 +49,12 @@ impl Operations {
     const ROOT: Self = Self { roots: 1, ..Self::NONE };
     const COMPARISON: Self = Self { comparisons: 1, ..Self::NONE };
 
-    /// All of them together.
+    /// The sum of all kinds.
     pub const fn total(self) -> u64 {
         self.additions + self.products + self.quotients + self.roots + self.comparisons
     }
 
-    /// Both together.
+    /// The sum of both, kind by kind.
     #[must_use]
     pub const fn and(self, other: Self) -> Self {
         Self {
@@ -72,12 +72,12 @@ std::thread_local! {
 }
 
 impl Counted {
-    /// Starts counting from nothing.
+    /// Sets this thread's counts to zero.
     pub fn reset() {
         DONE.set(Operations::NONE);
     }
 
-    /// What this thread has done since it was [`reset`](Self::reset).
+    /// The operations of this thread since the last [`reset`](Self::reset).
     pub fn operations() -> Operations {
         DONE.get()
     }
@@ -140,10 +140,10 @@ impl SubAssign for Counted {
     }
 }
 
-/// What [`Scalar::direction`] does besides: a squared length, and a vector by a number.
+/// The further operations of [`Scalar::direction`]: a squared length, and a vector times a number.
 const DIRECTION: Operations = Operations { additions: 2, products: 6, ..Operations::NONE };
 
-/// What `f32` does in [`Scalar::elongation`] and [`Scalar::direction`]: a floor, a root, a quotient and a difference.
+/// The operations of `f32` in both [`Scalar::elongation`] and [`Scalar::direction`]: a floor, a root, a quotient and a difference.
 const GAUGE: Operations = Operations { additions: 1, quotients: 1, roots: 1, comparisons: 1, ..Operations::NONE };
 
 fn plain(rest: Rest<Counted>) -> Rest<f32> {
@@ -321,7 +321,7 @@ mod tests {
     use crate::fingerprint::Fingerprint;
     use crate::host::{Description, Everything, SolverKind};
 
-    /// Everything that a scene can name.
+    /// All link families and forces of a scene, a ball, a hem and a strain limit.
     const SCENE: &str = "
         [cloth]
         columns = 4

@@ -1,4 +1,4 @@
-//! A scene with everything said: plain SI numbers in `f64`, checked, no key left to look up.
+//! A complete scene: plain SI numbers in `f64`, checked, with all defaults filled in.
 
 use std::string::String;
 use std::vec::Vec;
@@ -8,7 +8,7 @@ use super::error::SceneError;
 use super::file::File;
 use crate::rest::Stillness;
 
-/// A scene as its file means it, before a number type and a grid are chosen.
+/// A scene with all defaults filled in, before a number type and a grid are chosen.
 #[derive(Clone, Debug)]
 pub struct Description {
     /// The file's `name`; empty where it has none.
@@ -21,7 +21,7 @@ pub struct Description {
     pub shear: Option<Spring>,
     /// Links to the particle after the next of the row and of the column.
     pub bend: Option<Spring>,
-    /// How much further from a pin than its rest distance a particle may go, as a share of that distance.
+    /// The distance by which a particle may exceed its rest distance from a pin, as a fraction of that distance.
     pub tether_slack: Option<f64>,
     /// Acceleration of gravity, m/s².
     pub gravity: [f64; 3],
@@ -35,15 +35,15 @@ pub struct Description {
     pub planes: Vec<Plane>,
     /// Rods with round ends.
     pub capsules: Vec<Capsule>,
-    /// How the sheet is moved.
+    /// The solver and its parameters.
     pub solver: Solver,
-    /// How the sheet meets itself.
+    /// Contact of the sheet with itself.
     pub self_contact: Option<SelfContact>,
-    /// How still the sheet has to be for nothing to be computed.
+    /// The thresholds of motion below which the sheet rests and is not computed.
     pub rest: Option<Stillness>,
     /// Number of frames of [`Solver::step`] each.
     pub frames: u32,
-    /// How pictures show it.
+    /// Parameters of pictures.
     pub picture: Picture,
 }
 
@@ -52,7 +52,7 @@ impl Description {
     ///
     /// # Errors
     ///
-    /// The first thing found wrong, with its key: see [`SceneError`].
+    /// The first error found, with its key: see [`SceneError`].
     ///
     /// ```
     /// use kerchief::host::Description;
@@ -66,10 +66,10 @@ impl Description {
     }
 }
 
-/// A sheet that meets itself.
+/// Contact of a sheet with itself.
 #[derive(Clone, Copy, Debug)]
 pub struct SelfContact {
-    /// How far particles that are no neighbours keep apart, m; a cell's longer side where a file does not say.
+    /// The distance that particles which are not neighbours keep from each other, m. `None` stands for a cell's longer side.
     pub thickness: Option<f64>,
     /// Coulomb's coefficient of friction.
     pub friction: f64,
@@ -86,18 +86,18 @@ pub struct Sheet {
     pub width: f64,
     /// Distance between the first and the last row, m.
     pub height: f64,
-    /// How it starts.
+    /// The initial pose.
     pub pose: Pose,
-    /// Where particle (0, 0) starts, m.
+    /// The initial position of particle (0, 0), m.
     pub origin: [f64; 3],
-    /// Mass of an ordinary particle, kg.
+    /// Mass of a particle with inverse mass 1, kg.
     pub mass: f64,
-    /// Which key gave [`mass`](Self::mass): `mass` or `density`. From a density, a particle on an edge has the area and so
-    /// the mass of half an ordinary one, a particle in a corner of a quarter.
+    /// Which key gave [`mass`](Self::mass): `mass` or `density`. With a density, masses follow the area around particles: a particle
+    /// on an edge has half of `mass`, a particle in a corner a quarter.
     pub mass_key: &'static str,
-    /// By how much border particles are heavier.
+    /// The factor by which border particles are heavier.
     pub hem: Option<f64>,
-    /// Particles held where they start, `[column, row]`, each once.
+    /// Particles pinned at their initial positions, `[column, row]`, each once.
     pub pins: Vec<[usize; 2]>,
 }
 
@@ -116,7 +116,7 @@ impl Sheet {
     }
 }
 
-/// The law of a link family, `f = -k (|d| - L) d/|d| - k_d (v_i - v_j)`.
+/// The force of a link family, `f = -k (|d| - L) d/|d| - k_d (v_i - v_j)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring {
     /// k, N/m.
@@ -141,27 +141,27 @@ pub struct Drag {
 pub struct Wind {
     /// Velocity of the air, m/s.
     pub velocity: [f64; 3],
-    /// How it pushes a cell.
+    /// The force on a cell.
     pub model: WindModel,
 }
 
-/// How moving air pushes a cell.
+/// The force of moving air on a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WindModel {
-    /// `n (n/|n| · wind)` on each corner, `n` twice the triangle's area; the sheet's own motion does not count.
+    /// `n (n/|n| · wind)` on each corner of a triangle, with `|n|` twice its area; the sheet's own motion is ignored.
     Facet,
     /// The pressure of the relative wind, `½ ρ c A (n·u) |n·u| n`, a third on each corner.
     Aerodynamic {
         /// ρ, density of the air, kg/m³.
         density: f64,
-        /// c, no unit.
+        /// c, dimensionless.
         drag_coefficient: f64,
     },
-    /// The same on each cell as one panel, a quarter on each corner: see [`PanelWind`](crate::PanelWind).
+    /// The same pressure on each cell as one panel, a quarter on each corner: see [`PanelWind`](crate::PanelWind).
     Panel {
         /// ρ, density of the air, kg/m³.
         density: f64,
-        /// c, no unit.
+        /// c, dimensionless.
         drag_coefficient: f64,
     },
 }
@@ -169,24 +169,24 @@ pub enum WindModel {
 /// A ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// Where it starts, m.
+    /// Its initial centre, m.
     pub centre: [f64; 3],
-    /// m.
+    /// Its radius, m.
     pub radius: f64,
-    /// Its own motion, m/s.
+    /// Its velocity, m/s.
     pub velocity: [f64; 3],
-    /// What its surface does to a particle.
+    /// The properties of its surface.
     pub surface: Surface,
 }
 
-/// A half space that nothing enters.
+/// A half space that particles do not enter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
     /// A point of its surface, m.
     pub point: [f64; 3],
-    /// Outwards, of length 1.
+    /// The outward normal, of length 1.
     pub normal: [f64; 3],
-    /// What its surface does to a particle.
+    /// The properties of its surface.
     pub surface: Surface,
 }
 
@@ -197,31 +197,31 @@ pub struct Capsule {
     pub a: [f64; 3],
     /// The other end, m.
     pub b: [f64; 3],
-    /// m.
+    /// Its radius, m.
     pub radius: f64,
-    /// What its surface does to a particle.
+    /// The properties of its surface.
     pub surface: Surface,
 }
 
-/// What a surface does to a particle that comes near.
+/// The contact properties of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
-    /// Distance that particles keep, m.
+    /// Distance that particles keep from it, m.
     pub margin: f64,
-    /// Coulomb's coefficient, no unit.
+    /// Coulomb's coefficient of friction, dimensionless.
     pub friction: f64,
 }
 
-/// How pictures show a scene.
+/// Parameters of pictures of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Picture {
-    /// From where it is looked at, degrees: 0 looks along y, 90 stands on the side of positive x.
+    /// The camera's azimuth, degrees: at 0 it looks along y, at 90 it stands on the side of positive x.
     pub azimuth: f64,
-    /// The same, upwards, degrees.
+    /// The camera's elevation, degrees.
     pub elevation: f64,
-    /// The box that fills the picture, m; where there is none, the box around all that is seen.
+    /// The box that fills the picture, m. `None` stands for the box around everything visible.
     pub frame: Option<[[f64; 3]; 2]>,
-    /// What is woven into the sheet.
+    /// The pattern of the sheet.
     pub pattern: Weave,
     /// Bands of the pattern along the longer side of the sheet.
     pub bands: u32,
@@ -229,7 +229,7 @@ pub struct Picture {
     pub colours: [[u8; 3]; 2],
 }
 
-/// How the sheet is moved.
+/// The solver and its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solver {
     /// The method.
@@ -238,12 +238,12 @@ pub struct Solver {
     pub step: f64,
     /// Solver steps per frame.
     pub substeps: u32,
-    /// Per substep, relaxation sweeps of position Verlet, pairs of sweeps of lines and Newton steps of backward Euler; the others have none.
+    /// Per substep: relaxation sweeps of position Verlet, pairs of sweeps of the line solver, or Newton steps of backward Euler. Other methods ignore it.
     pub iterations: u32,
-    /// Sweeps of lines per substep, in place of `iterations`; the others have none.
+    /// Sweeps of the line solver per substep, in place of `iterations`. Other methods ignore it.
     pub sweeps: Option<u32>,
-    /// The strain of a row for which lines spend further sweeps; the others have none.
+    /// The strain of a row above which the line solver makes further sweeps. Other methods ignore it.
     pub tolerance: f64,
-    /// No link longer than `1 + strain_limit` times its rest length after a step.
+    /// No link is longer than `1 + strain_limit` times its rest length after a step.
     pub strain_limit: Option<f64>,
 }

@@ -1,14 +1,14 @@
-//! What is wrong with a scene, in one line.
+//! Errors of scenes, in one line each.
 
 use core::fmt;
 use std::string::{String, ToString};
 
-/// What is wrong with a scene: the key and the reason, one line when displayed.
+/// An error of a scene: the key and the reason, one line when displayed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SceneError {
-    /// Dotted key, such as `stretch.stiffness` or `sphere[0].radius`; `line 7` where the text is not TOML at all.
+    /// Dotted key, such as `stretch.stiffness` or `sphere[0].radius`; `line 7` if the text is not TOML at all.
     pub key: String,
-    /// Why it cannot be.
+    /// The reason for the error.
     pub reason: String,
 }
 
@@ -46,7 +46,7 @@ impl SceneError {
     }
 }
 
-/// What was found and what is expected, in the words of a scene file instead of those of Rust.
+/// The message with the types of a scene file instead of those of Rust.
 fn plain(message: &str) -> String {
     let parts = message.strip_prefix("invalid type: ").and_then(|types| types.rsplit_once(", expected "));
     let Some((found, expected)) = parts else {
@@ -55,7 +55,7 @@ fn plain(message: &str) -> String {
     let found = match found {
         "map" => "table",
         "sequence" => "list",
-        // An integer beyond 64 bits; a string ends with its quotes.
+        // the end of an integer beyond 64 bits; a string ends with its quotes
         _ => found.trim_end_matches(" as i128"),
     };
     let expected = match expected {
@@ -74,11 +74,10 @@ impl fmt::Display for SceneError {
 
 impl core::error::Error for SceneError {}
 
-/// A text in which a terminal finds no command and a reader no surprise: what steers either is escaped, so that names of files, keys and scenes stay in their
-/// line and in their direction.
+/// The text with control characters, line separators and direction marks escaped: a terminal finds no command in it, and names stay in their line and direction.
 pub fn printable(text: &str) -> String {
     let is_hidden = |c: char| {
-        // separators of lines, marks of direction, and the mark of an order of bytes
+        // line separators, direction marks and the byte order mark
         c.is_control()
             || matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{200e}' | '\u{200f}' | '\u{61c}' | '\u{feff}')
     };

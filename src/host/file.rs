@@ -1,4 +1,4 @@
-//! The scene file as it is written: tables and keys, nothing resolved yet.
+//! The scene file as it is written: tables and keys, before defaults are filled in.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -14,7 +14,7 @@ use super::choice::{Pose, SolverKind, Weave};
 use super::error::SceneError;
 use super::quantity::{Colour, Count, Fraction, NonNegative, Number, Positive, Vector};
 
-/// The most that a file may hold, counted by what ends or begins a value, a key or a line. In memory each is some hundred times as long as in the file.
+/// The limit on values, keys and lines of a file, counted by the characters that begin or end them. In memory each is some hundred times as long as in the file.
 const MOST_VALUES: usize = 1 << 18;
 
 /// A whole file.
@@ -60,7 +60,7 @@ impl File {
     }
 }
 
-/// A table of keys, and nothing else: left alone, serde takes a list of values in the order of the keys as well.
+/// A table of keys, and nothing else. By default, serde also accepts a list of values in the order of the keys.
 #[derive(Debug, Default)]
 pub(super) struct Table<T>(pub(super) T);
 
@@ -80,7 +80,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
     }
 }
 
-/// One of several names: left alone, serde takes a table with the name as its key as well.
+/// One of several names. By default, serde also accepts a table with the name as its key.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Named<T>(pub(super) T);
 
@@ -125,7 +125,7 @@ pub(super) enum Pins {
     Left,
     Corners,
     TopCorners,
-    /// Any lengths: the resolver says which pin is not `[column, row]`.
+    /// Lists of any length: the resolver reports a pin that is not `[column, row]`.
     Nodes(Vec<Vec<i64>>),
 }
 

@@ -1,4 +1,4 @@
-//! Whether a number type holds what a scene asks for, and which key asks too much.
+//! Checks that a number type represents the values of a scene. An error names the key of a value that does not fit.
 
 use core::marker::PhantomData;
 use std::format;
@@ -7,30 +7,30 @@ use std::string::String;
 use super::error::SceneError;
 use crate::scalar::{Scalar, fit};
 
-/// The most a position may lose to rounding, cells.
+/// The largest rounding error of a position, cells.
 const BLUR: f64 = 1.0 / 256.0;
 
-/// Turns numbers in the sheet's own units into `S`.
+/// Converts numbers in the sheet's own units to `S`.
 #[derive(Debug)]
 pub(super) struct Fit<S>(PhantomData<S>);
 
 impl<S: Scalar> Fit<S> {
-    /// Checks that `S` holds `value`, and that it does not hold it as zero.
+    /// Checks that `S` represents `value`, and does not round it to zero.
     pub(super) fn number(key: impl Into<String>, value: f64) -> Result<S, SceneError> {
         Self::vector(key, [value]).map(|[number]| number)
     }
 
-    /// Checks that `S` holds every component, and not all of them as zero.
+    /// Checks that `S` represents every component, and does not round all of them to zero.
     pub(super) fn vector<const N: usize>(key: impl Into<String>, values: [f64; N]) -> Result<[S; N], SceneError> {
         match fit::fit::<S, N>(values) {
-            // Undefined where an infinite factor met a zero: too large as well.
+            // An undefined value, infinity times zero, counts as too large as well.
             fit::Fit::TooLarge => Err(Self::error(key, "too large", "")),
             fit::Fit::AsZero => Err(Self::error(key, "too small", "")),
             fit::Fit::Coarsely | fit::Fit::Well => Ok(values.map(S::from_f64)),
         }
     }
 
-    /// Checks that `S` holds a constant of the sheet's motion, which rounding changes by a sixteenth of its largest component at most.
+    /// Checks that `S` represents a constant of the sheet's motion: rounding changes it by at most a sixteenth of its largest component.
     pub(super) fn constant<const N: usize>(key: impl Into<String>, values: [f64; N]) -> Result<[S; N], SceneError> {
         match fit::fit::<S, N>(values) {
             fit::Fit::Coarsely => {
@@ -40,7 +40,7 @@ impl<S: Scalar> Fit<S> {
         }
     }
 
-    /// Checks that `S` holds a place (cells) finely enough to tell particles around it apart.
+    /// Checks that `S` represents a place (cells) finely enough to distinguish particles around it.
     pub(super) fn place(key: impl Into<String>, cells: [f64; 3]) -> Result<(), SceneError> {
         let furthest = S::LARGEST.min(BLUR / S::RESOLUTION);
         if cells.iter().all(|cell| cell.abs() <= furthest) {
@@ -55,7 +55,7 @@ impl<S: Scalar> Fit<S> {
     }
 }
 
-/// Checks that numbers are finite which a scene file did not say.
+/// Checks that numbers are finite. For numbers that come from no scene file.
 pub(super) fn finite(key: &str, values: &[f64]) -> Result<(), SceneError> {
     if values.iter().all(|value| value.is_finite()) { Ok(()) } else { Err(SceneError::new(key, "must be finite")) }
 }

@@ -1,4 +1,4 @@
-//! How strong a hand is.
+//! The strength of a hand.
 
 use super::description::Description;
 use super::error::SceneError;
@@ -6,28 +6,28 @@ use super::error::SceneError;
 /// A hand's spring, damper and reach: see [`Hand`](crate::Hand).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grip {
-    /// m/N
+    /// The compliance of the spring, m/N.
     pub compliance: f64,
-    /// N·s/m
+    /// The strength of the damper, N·s/m.
     pub damping: f64,
-    /// From this distance on the pull grows no more, m.
+    /// The distance beyond which the force of the spring does not grow, m.
     pub reach: f64,
-    /// A pin, which no force moves, is carried no faster, m/s.
+    /// The largest speed at which a pin is carried, m/s. No force moves a pin.
     pub speed: f64,
 }
 
-/// The largest pull, in weights of the sheet.
+/// The largest force of the hand, in weights of the sheet.
 const WEIGHTS: f64 = 4.0;
-/// In longer sides of the sheet, and in those a second.
+/// The reach, in longer sides of the sheet, and below the speed, in longer sides per second.
 const REACH: f64 = 0.25;
 const SPEED: f64 = 3.0;
-/// The damping in the hand's √(stiffness · mass of the sheet): so little that the hand is no brake.
+/// The damping, in √(stiffness of the hand · mass of the sheet): small, so that the hand does not brake the sheet.
 const DAMPING: f64 = 0.125;
 /// m/s²
 const GRAVITY: f64 = 9.81;
 
 impl Grip {
-    /// A hand for a scene's sheet, however large and heavy: it pulls with four weights of the sheet at most, from a quarter of the sheet's longer side on.
+    /// A grip in proportion to a scene's sheet. Its force is at most four weights of the sheet, reached at a distance of a quarter of the sheet's longer side.
     pub fn of(scene: &Description) -> Self {
         let sheet = &scene.sheet;
         let side = sheet.width.max(sheet.height);
@@ -38,7 +38,7 @@ impl Grip {
         Self { compliance, damping: DAMPING * libm::sqrt(mass / compliance), reach, speed: SPEED * side }
     }
 
-    /// Refuses what is no grip in any number type.
+    /// Refuses a grip that is invalid in every number type.
     pub(super) fn check(&self) -> Result<(), SceneError> {
         let Self { compliance, damping, reach, speed } = *self;
         let named = [("compliance", compliance), ("damping", damping), ("reach", reach), ("speed", speed)];
@@ -58,7 +58,7 @@ mod tests {
     use crate::host::{Bare, Everything, Simulation, SolverKind};
     use crate::scalar::{Q24, Scalar};
 
-    /// A sheet of 0.2 kg that lies in the air, held at two corners.
+    /// A sheet of 0.2 kg that lies in the air, pinned at two corners.
     const SCENE: &str = "
         [cloth]
         columns = 4
@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(reach, 0.25);
     }
 
-    /// By every solver, in floats and fixed point.
+    /// By every solver that is stable here, in floats and fixed point.
     #[test]
     fn what_is_dragged_follows_and_what_is_released_falls() {
         fn check<S: Scalar + Send>(scene: &Description) {
@@ -140,7 +140,7 @@ mod tests {
         }
     }
 
-    /// Wherever a pointer goes: links are stretched by the pull that is stated, and no further.
+    /// Wherever the pointer goes, links are stretched by the stated force and no further.
     #[test]
     fn a_hand_overstretches_nothing_however_far_it_goes() {
         fn check<S: Scalar + Send>() {
@@ -151,7 +151,7 @@ mod tests {
                 moving.drag(target);
                 for _ in 0..100 {
                     moving.frame();
-                    // four weights stretch a link alone, of 100 N/m and a third of a metre, by 0.24, and when they turn round by twice that
+                    // four weights strain a single link, of 100 N/m and a third of a metre, by 0.24; when they reverse, by twice that
                     assert!(moving.is_finite() && stretch(&*moving) < 0.5, "{}: {}", S::NAME, stretch(&*moving));
                 }
             }

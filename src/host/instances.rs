@@ -1,9 +1,9 @@
-//! Makes simulations whose number type and grid are chosen while the program runs.
+//! Simulations whose number type and grid are chosen at run time.
 
-/// Defines a function that sets a scene up in a number type and on a grid that are known only when the program runs.
+/// Defines a function that makes a simulation of a scene in a number type and on a grid chosen at run time.
 ///
-/// Every pair of number type and grid is compiled with every solver, in the crate that writes this: it takes about a second of compiling for each, so a program
-/// lists those it needs. A scene with another one is refused with an error that names the key.
+/// Every pair of number type and grid is compiled with every solver, in the crate that calls this macro. Each pair takes about a second to compile, so a program
+/// lists only those it needs. A scene with another number type or grid is refused with an error that names the key.
 ///
 /// ```
 /// use kerchief::host::{Description, ScalarKind};
@@ -34,7 +34,7 @@ macro_rules! simulations {
         ///
         /// # Errors
         ///
-        /// If the number type or the grid is not among those compiled here, or the number type does not hold a value, with the key of the value.
+        /// If the number type or the grid is not compiled here, or the number type does not represent a value. The error names the key.
         $visibility fn $name(
             scene: &$crate::host::Description,
             scalar: $crate::host::ScalarKind,

@@ -1,9 +1,8 @@
-//! Scenes read from files and run in a number type, on a grid and by a solver chosen at run time, for programs on a host (cargo feature
-//! `std`).
+//! Scenes read from files, with number type, grid and solver chosen at run time, for programs on a host (cargo feature `std`).
 //!
-//! [`Description::parse`] turns the text of a scene file into plain SI numbers, or into the one line that says which key is wrong and why;
-//! [`Description::simulation_on`] sets it in motion; [`simulations!`](crate::simulations) chooses number type and grid while the program runs; [`Painter`] draws it.
-//! [`BUILT_IN`] holds the scenes that need no file.
+//! [`Description::parse`] turns the text of a scene file into plain SI numbers, or into an error of one line that names the wrong key and the reason.
+//! [`Description::simulation_on`] makes a simulation of it; [`simulations!`](crate::simulations) chooses number type and grid at run time; [`Painter`] draws it.
+//! [`BUILT_IN`] lists the scenes that need no file.
 //!
 //! ```
 //! use kerchief::Q24;
@@ -18,7 +17,7 @@
 //! # Ok::<(), kerchief::host::SceneError>(())
 //! ```
 //!
-//! [The scene file](crate::guide::scene_file) has every key with its unit, range and default.
+//! [The scene file](crate::guide::scene_file) documents every key with its unit, range and default.
 
 mod build;
 mod builtin;

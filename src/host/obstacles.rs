@@ -1,4 +1,4 @@
-//! What is in the way of a scene's sheet, in one number type.
+//! The obstacles of a scene, in one number type.
 
 use std::format;
 use std::vec::Vec;
@@ -13,11 +13,11 @@ use crate::scalar::Scalar;
 use crate::units::Units;
 use crate::vec3::Vec3;
 
-/// What is in the way, or nothing.
+/// The obstacles of a scene, or none.
 pub trait Obstacles<S: Scalar>: Collider<S> + Send + 'static {
-    /// Where the balls are, m.
+    /// The centres of the balls, m.
     fn centres(&self, units: &Units) -> Vec<[f64; 3]>;
-    /// Moves the balls to `centres`, m.
+    /// Moves the balls to these centres, m.
     fn set_centres(&mut self, units: &Units, centres: &[[f64; 3]]);
 }
 
@@ -29,7 +29,7 @@ impl<S: Scalar> Obstacles<S> for () {
     fn set_centres(&mut self, _: &Units, _: &[[f64; 3]]) {}
 }
 
-/// Something in the sheet's way.
+/// An obstacle of a sheet.
 #[derive(Debug)]
 enum Obstacle<S> {
     Sphere(Moving<Sphere<S>>),
@@ -69,7 +69,7 @@ impl<S: Scalar> Collider<S> for Obstacle<S> {
     }
 }
 
-/// Everything in the sheet's way.
+/// All obstacles of a scene.
 #[derive(Debug)]
 pub struct Solids<S>(Vec<Obstacle<S>>);
 

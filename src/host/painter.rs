@@ -19,9 +19,9 @@ use crate::render::{Ball, Camera, Ground, Light, Look, Orbit, Rod, Shaded, Shado
 use crate::units::{Length, Point, Units};
 use crate::vec3::Vec3;
 
-/// Draws moments of a scene: the sheet, balls and rods, and a ground with their shadow.
+/// Draws [`Still`]s of a scene: the sheet, balls and rods, and a ground with their shadow.
 ///
-/// Pictures are computed in `f32`, whatever the sheet is computed in.
+/// Pictures are computed in `f32`, independently of the sheet's number type.
 #[derive(Clone, Debug)]
 pub struct Painter<'a> {
     scene: &'a Description,
@@ -35,17 +35,17 @@ pub struct Painter<'a> {
 const BALL: Rgb888 = Rgb888::new(96, 112, 128);
 const ROD: Rgb888 = Rgb888::new(120, 96, 72);
 const SHADOW: Rgb888 = Rgb888::new(150, 142, 136);
-/// How far beside the sheet it is picked, in its longer side.
+/// The distance beside the sheet within which a particle is picked, in longer sides of the sheet.
 const BESIDE: f64 = 0.05;
-/// Where a sheet that has left every bound is drawn, cells from the origin.
+/// The largest coordinate that is drawn, cells from the origin: a sheet may have left every bound.
 const FURTHEST: f64 = 512.0;
 
 impl<'a> Painter<'a> {
-    /// A painter for pictures of this size that show these moments.
+    /// A painter for pictures of this size that show these stills.
     ///
     /// # Errors
     ///
-    /// If the sheet's cells have no extent.
+    /// If the sheet's size, mass or step is too large or too small.
     pub fn new<'b>(
         scene: &'a Description,
         stills: impl IntoIterator<Item = &'b Still>,
@@ -56,7 +56,7 @@ impl<'a> Painter<'a> {
         Self::within(scene, seen, screen)
     }
 
-    /// A painter for pictures of this size that show all moments within these bounds.
+    /// A painter for pictures of this size that show all stills within these bounds.
     ///
     /// # Errors
     ///
@@ -69,7 +69,7 @@ impl<'a> Painter<'a> {
         let floor = scene.planes.iter().filter(|plane| plane.normal[2] > 0.999).map(|plane| plane.point[2]);
         let floor = floor.reduce(f64::max).unwrap_or(low[2].min(seen[0][2]) - 0.02 * size);
         let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
-        // a picture may be of anything, however large
+        // without the checks of `Units::length`: a picture may have any extent
         let length = |metres: f64| Length(metres / units.cell);
         let ground = Ground::new(units.place([middle[0], middle[1], floor]), length(2.2 * size));
         Ok(Self {
@@ -82,19 +82,19 @@ impl<'a> Painter<'a> {
         })
     }
 
-    /// Where pictures are seen from, its distance in cells.
+    /// The direction and distance (cells) from which pictures are seen.
     pub fn orbit(&self) -> Orbit {
         let Picture { azimuth, elevation, .. } = self.scene.picture;
         Orbit::new(azimuth, elevation, self.view.distance)
     }
 
-    /// Looks at the same point from somewhere else: where the painter's [`orbit`](Self::orbit) was turned to. The light comes along.
+    /// Looks at the same point from elsewhere: from the painter's [`orbit`](Self::orbit), turned. The light turns with it.
     pub fn look(&mut self, from: &Orbit) {
         self.view = self.view.seen_from(from);
         self.light = light(from.azimuth);
     }
 
-    /// The particle under a pixel of the picture of a moment, or the nearest one to it.
+    /// The particle nearest to a pixel in the picture of `still`; `None` if the pixel is too far from the sheet.
     pub fn pick(&self, still: &Still, pixel: geometry::Point) -> Option<Node> {
         macro_rules! choose {
             ($(($columns:literal, $rows:literal, $faces:literal))*) => {
@@ -107,12 +107,12 @@ impl<'a> Painter<'a> {
         for_each_shape!(choose)
     }
 
-    /// The place (m) that a pixel shows as deep in the picture as another place (m).
+    /// The place (m) under a pixel at the depth of another place (m).
     pub fn under(&self, pixel: geometry::Point, place: [f64; 3]) -> [f64; 3] {
         self.units.metres(self.camera().under(pixel, self.units.place(place).to_vec()))
     }
 
-    /// The pixel at which a place (m) is seen.
+    /// The pixel at which a place (m) appears.
     pub fn pixel(&self, place: [f64; 3]) -> Option<geometry::Point> {
         self.camera().project(self.units.place(place).to_vec())
     }
@@ -127,10 +127,10 @@ impl<'a> Painter<'a> {
         self.camera().ray(pixel).pick(&self.laid::<W, H>(still), beside)
     }
 
-    /// The sheet in a moment.
+    /// The sheet with the positions of `still`.
     fn laid<const W: usize, const H: usize>(&self, still: &Still) -> Cloth<f32, W, H> {
         let mut cloth = Cloth::lay(&self.units, Point([0.0; 3]));
-        // What is not even a number any more is drawn far below.
+        // A coordinate that is NaN is drawn far below.
         let near = |cells: f64| if cells.is_nan() { -FURTHEST } else { cells.clamp(-FURTHEST, FURTHEST) };
         let mut positions = still.positions.iter();
         cloth
@@ -139,11 +139,11 @@ impl<'a> Painter<'a> {
         cloth
     }
 
-    /// Draws a moment over all of `target`.
+    /// Draws `still` over all of `target`.
     ///
     /// # Errors
     ///
-    /// Whatever the target reports.
+    /// Errors of the target.
     pub fn draw<D: DrawTarget<Color = Rgb888>>(&self, still: &Still, target: &mut D) -> Result<(), D::Error> {
         macro_rules! choose {
             ($(($columns:literal, $rows:literal, $faces:literal))*) => {
@@ -191,22 +191,22 @@ impl<'a> Painter<'a> {
     }
 }
 
-/// Over the left shoulder.
+/// The light: a lamp behind the viewer's left shoulder.
 fn light(azimuth: f64) -> Light {
     Light::new(azimuth - 50.0, 50.0)
 }
 
-/// The box around everything that is seen of a scene and not too far away.
+/// The box around all visible parts of a scene that are not too far away.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds([[f64; 3]; 2]);
 
 impl Bounds {
-    /// The corner from which the sheet starts, and nothing else.
+    /// A box that contains only the initial position of particle (0, 0).
     pub fn new(scene: &Description) -> Self {
         Self([scene.sheet.origin; 2])
     }
 
-    /// Takes a moment of the same scene in.
+    /// Extends the box by a still of the same scene.
     pub fn include(&mut self, scene: &Description, still: &Still) {
         let sheet = &scene.sheet;
         let furthest = 2.0 * (sheet.width + sheet.height);
@@ -228,7 +228,7 @@ impl Bounds {
     }
 }
 
-/// A pattern chosen while the program runs.
+/// A pattern chosen at run time.
 #[derive(Clone, Copy, Debug)]
 struct Woven {
     weave: Weave,
@@ -264,7 +264,7 @@ mod tests {
     use super::*;
     use crate::host::{Everything, built_in};
 
-    /// From everywhere, near and far.
+    /// From several directions, near and far.
     #[test]
     fn a_particle_is_picked_where_it_is_seen() {
         let scene = Description::parse(built_in("curtain").unwrap().text).unwrap();

@@ -1,4 +1,4 @@
-//! What the scenes of a program may name. What none of them names costs nothing.
+//! The parts that the scenes of a program may use. A part that is left out costs nothing.
 
 use std::format;
 
@@ -12,46 +12,46 @@ use crate::link::{Damped, Links};
 use crate::scalar::Scalar;
 use crate::units::{Length, Units};
 
-/// Links that a scene may have or not.
+/// A link family that a scene may have.
 pub trait Springs<S: Scalar + Send>: Links<S> + Copy + Send + 'static {}
 
 impl<S: Scalar + Send, L: Links<S> + Copy + Send + 'static> Springs<S> for L {}
 
-/// The parts that scenes are put together from.
+/// The types from which simulations of scenes are assembled.
 pub trait Parts<S: Scalar + Send>: 'static {
-    /// Moving air.
+    /// The wind.
     type Air: Force<S> + Send;
-    /// A family of links.
+    /// A family of links, with dampers if the parts have them.
     type Springs<L: Springs<S>>: Springs<S>;
 
-    /// A hand, which is not there at first.
+    /// The hand. Its default is no hand.
     type Hand: Force<S> + Default + Send;
 
-    /// What is in the way.
+    /// The obstacles.
     type Obstacles: Obstacles<S>;
 
-    /// The core's wind.
+    /// Makes the core's wind.
     ///
     /// # Errors
     ///
-    /// If the parts have no such wind, or the number type does not hold it.
+    /// If the parts have no such wind, or the number type does not represent it.
     fn air(units: &Units, wind: Option<&Wind>) -> Result<Self::Air, SceneError>;
 
-    /// The core's hand, which holds nothing yet.
+    /// Makes the core's hand, which has not grabbed a particle yet.
     ///
     /// # Errors
     ///
-    /// If the parts have no hand, or the number type does not hold it.
+    /// If the parts have no hand, or the number type does not represent it.
     fn hand(units: &Units, grip: &Grip) -> Result<Self::Hand, SceneError>;
 
-    /// The hand, if it is there.
+    /// The hand, if there is one.
     fn present(hand: &mut Self::Hand) -> Option<&mut Hand<S>>;
 
-    /// `springs` with dampers of `damping` (N·s/m) beside them; `table` is their name in the scene file.
+    /// `springs` with parallel dampers of `damping` (N·s/m). `table` is their name in the scene file.
     ///
     /// # Errors
     ///
-    /// If the parts have no dampers, or the number type does not hold them.
+    /// If the parts have no dampers, or the number type does not represent them.
     fn springs<L: Springs<S>>(
         units: &Units,
         table: &str,
@@ -59,15 +59,15 @@ pub trait Parts<S: Scalar + Send>: 'static {
         damping: f64,
     ) -> Result<Self::Springs<L>, SceneError>;
 
-    /// The core's colliders.
+    /// Makes the core's colliders.
     ///
     /// # Errors
     ///
-    /// If the parts have none, or the number type does not hold them.
+    /// If the parts have none, or the number type does not represent them.
     fn obstacles(scene: &Description, units: &Units) -> Result<Self::Obstacles, SceneError>;
 }
 
-/// All that a scene file can say.
+/// Every part that a scene file can describe.
 #[derive(Clone, Copy, Debug)]
 pub enum Everything {}
 
@@ -135,13 +135,13 @@ impl<S: Scalar + Send> Parts<S> for Everything {
     }
 }
 
-/// What changes while a scene runs comes from no file.
+/// Checks values that no file reader has checked: they may be set while a scene runs.
 fn still_finite(density: f64, drag_coefficient: f64) -> Result<(), SceneError> {
     finite("environment.wind.density", &[density])?;
     finite("environment.wind.drag_coefficient", &[drag_coefficient])
 }
 
-/// A sheet of undamped springs under gravity and drag, and nothing else: what most goals of a solver are measured on.
+/// A sheet of undamped springs under gravity and drag, and nothing else. Most goals of a solver are measured on such sheets.
 #[derive(Clone, Copy, Debug)]
 pub enum Bare {}
 
@@ -212,7 +212,7 @@ mod tests {
         substeps = 4
     "#;
 
-    /// The same without wind and ball.
+    /// The same scene without wind and ball.
     fn calm() -> Description {
         Description { wind: None, spheres: Vec::new(), ..Description::parse(SCENE).unwrap() }
     }
@@ -243,12 +243,12 @@ mod tests {
         for kind in SolverKind::ALL {
             scene.solver.kind = kind;
             let (all, needed) = (operations::<Everything>(&scene), operations::<Bare>(&scene));
-            // whether a family has dampers, each time it is visited
+            // the difference is a check for dampers at each visit of a family
             assert!(100 * (all - needed) < needed, "{kind:?}: {all}, {needed}");
         }
     }
 
-    /// What changes while a scene runs comes from no file.
+    /// Values that are set while a scene runs come from no file, so the simulation checks them.
     #[test]
     fn what_is_undefined_is_refused() {
         let mut moving = Description::parse(SCENE).unwrap().simulation_on::<Everything, crate::Q24, 4, 4>().unwrap();

@@ -1,4 +1,4 @@
-//! Numbers of a scene file that check themselves while they are read, so that the error names their key.
+//! Numbers of a scene file, checked while they are read, so that an error names their key.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -7,11 +7,11 @@ use std::format;
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
-/// What a number has to be beyond finite.
+/// A condition on a finite number.
 pub(super) trait Range {
     /// The condition in words, after "must be".
     const WORDS: &'static str;
-    /// Whether `value`, which is finite, fulfils it.
+    /// Whether `value`, which is finite, satisfies the condition.
     fn holds(value: f64) -> bool;
 }
 
@@ -32,9 +32,9 @@ macro_rules! range {
 range!(/** Any finite number. */ Any, "finite", |_| true);
 range!(/** Above zero. */ AboveZero, "above zero", |x| x > 0.0);
 range!(/** Zero or above. */ NotNegative, "zero or above", |x| x >= 0.0);
-range!(/** A share that is never the whole: `0 <= x < 1`. */ Share, "at least 0 and below 1", |x| (0.0..1.0).contains(&x));
+range!(/** A fraction below one: `0 <= x < 1`. */ Share, "at least 0 and below 1", |x| (0.0..1.0).contains(&x));
 
-/// A finite number within `R`.
+/// A finite number that satisfies `R`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quantity<R> {
     value: f64,
@@ -116,7 +116,7 @@ impl<'de> Deserialize<'de> for Vector {
     }
 }
 
-/// The most of anything that a scene counts: substeps, frames.
+/// The largest count in a scene, such as substeps or frames.
 pub const MOST: u32 = 1 << 20;
 
 /// A whole number from 1 to [`MOST`].

@@ -1,4 +1,4 @@
-//! From what is written to what is meant: defaults, exclusions and everything that depends on two keys.
+//! From a parsed file to a description: defaults, exclusive keys, and checks that involve two keys.
 
 use std::format;
 use std::vec::Vec;
@@ -14,17 +14,17 @@ use super::shape::SHAPES;
 use crate::rest::Stillness;
 use crate::solver::Lines;
 
-/// Frames of a file that does not say.
+/// Default number of frames.
 const FRAMES: u32 = 100;
-/// A frame of a file that does not say, s.
+/// Default duration of a frame, s.
 const STEP: f64 = 1.0 / 60.0;
-/// Solver steps per frame of a file that does not say.
+/// Default number of solver steps per frame.
 const SUBSTEPS: u32 = 8;
-/// From where pictures look at a scene that does not say, degrees.
+/// Default azimuth and elevation of pictures, degrees.
 const DIRECTION: (f64, f64) = (30.0, 20.0);
-/// Bands of a pattern that does not say.
+/// Default number of bands of a pattern.
 const BANDS: u32 = 15;
-/// Colours of a sheet that does not say: linen and madder.
+/// Default colours of a sheet: linen and madder.
 const COLOURS: [[u8; 3]; 2] = [[0xf3, 0xea, 0xdc], [0xb8, 0x2e, 0x34]];
 /// Density of air at 20 °C and 1013 hPa, kg/m³ (ISO 2533).
 const AIR_DENSITY: f64 = 1.2;
@@ -126,7 +126,7 @@ fn sheet(cloth: &file::Cloth) -> Result<Sheet, SceneError> {
     Ok(sheet)
 }
 
-/// The mass of an ordinary particle and the key it comes from.
+/// The mass of a particle with inverse mass 1, and the key it comes from.
 fn mass(cloth: &file::Cloth, columns: usize, rows: usize, area: f64) -> Result<(&'static str, f64), SceneError> {
     match one_of("cloth", ("mass", cloth.mass), ("density", cloth.density))? {
         None => Err(SceneError::new("cloth.mass", "missing; give mass (kg per particle) or density (kg/m²)")),
@@ -180,7 +180,7 @@ fn spring(table: &str, links: Option<&Table<file::Links>>) -> Result<Option<Spri
     Ok((stiffness > 0.0 || damping > 0.0).then_some(Spring { stiffness, key, damping }))
 }
 
-/// γ in 1/s. A step of position Verlet keeps `1 - D` of its displacement, which is `exp(-γ step)`.
+/// γ in 1/s. A step of position Verlet multiplies its displacement by `1 - D`, which equals `exp(-γ step)`.
 fn drag(environment: &file::Environment, step: f64) -> Result<Option<Drag>, SceneError> {
     let drag = environment.drag.map(NonNegative::get);
     let verlet = environment.verlet_damping.map(|damping| -(-damping.get()).ln_1p() / step);
@@ -227,7 +227,7 @@ fn sphere(Table(sphere): &Table<file::Sphere>) -> Sphere {
 
 fn plane((index, Table(plane)): (usize, &Table<file::Plane>)) -> Result<Plane, SceneError> {
     let normal = plane.normal.0;
-    // Divided by its largest component first, or the squares of a huge or tiny one leave f64.
+    // Divided by its largest component first: the squares of huge or tiny components leave the range of f64.
     let largest = normal.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
     if largest == 0.0 {
         return Err(SceneError::new(format!("plane[{index}].normal"), "must not be the zero vector"));

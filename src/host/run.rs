@@ -1,4 +1,4 @@
-//! A scene in motion, its number type, grid and solver chosen while the program runs.
+//! Simulations whose number type, grid and solver are chosen at run time.
 
 use core::fmt;
 use std::boxed::Box;
@@ -33,7 +33,7 @@ pub enum ScalarKind {
     F64,
     /// Fixed point with 24 fraction bits.
     Q24,
-    /// Fixed point with 24 fraction bits whose links are measured to 13.
+    /// Fixed point with 24 fraction bits, in which links are measured to 13.
     Q13,
 }
 
@@ -57,7 +57,7 @@ impl ScalarKind {
     }
 }
 
-/// Strain of one or all link families: `| |d|/L - 1 |` of a link. Both numbers are NaN where that of a link is undefined.
+/// Strain of one or all link families: `| |d|/L - 1 |` of a link. Both numbers are NaN if the strain of a link is undefined.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Strain {
     /// The largest of all links.
@@ -79,7 +79,7 @@ pub struct Strains {
     pub all: Strain,
 }
 
-/// What can be seen of a moment.
+/// The visible state at one time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Still {
     /// Position of every particle, m, row by row.
@@ -88,18 +88,18 @@ pub struct Still {
     pub spheres: Vec<[f64; 3]>,
 }
 
-/// What a sheet carries from one [`Simulation`] to another.
+/// The state that a sheet carries from one [`Simulation`] to another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
-    /// Where everything is.
+    /// The positions.
     pub still: Still,
     /// Velocity of every particle, m/s, row by row.
     pub velocities: Vec<[f64; 3]>,
-    /// Whether a particle is held.
+    /// Whether each particle is pinned, row by row.
     pub pinned: Vec<bool>,
 }
 
-/// The limit that an exploded sheet has left.
+/// The limit that an exploded sheet has exceeded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Explosion {
     /// A number is infinite or undefined.
@@ -107,7 +107,7 @@ pub enum Explosion {
     /// A particle is further than a million times the sheet's longer side, along an axis, from where the sheet's first particle started. Numbers may grow far beyond that
     /// before they are infinite.
     Far,
-    /// A particle has left the range of this fixed-point type: it comes back from the other end.
+    /// A particle has left the range of this fixed-point type and has come back at its other end.
     OutOfRange(&'static str),
 }
 
@@ -121,16 +121,16 @@ impl fmt::Display for Explosion {
     }
 }
 
-/// [`Explosion::Far`] is beyond so many times the longer side of the sheet.
+/// The distance of [`Explosion::Far`], in longer sides of the sheet.
 const FAR: f64 = 1e6;
 
-/// A sheet in motion, whatever its number type, grid and solver.
+/// A simulation, independent of its number type, grid and solver.
 pub trait Simulation: Send {
-    /// Moves on by one frame.
+    /// Advances by one frame.
     fn frame(&mut self);
-    /// Where everything is.
+    /// The positions of particles and balls.
     fn still(&self) -> Still;
-    /// How far links are from their rest length.
+    /// The strains of the link families.
     fn strains(&self) -> Strains;
     /// Kinetic, gravitational and elastic energy together, J.
     fn energy(&self) -> f64;
@@ -144,46 +144,46 @@ pub trait Simulation: Send {
     }
     /// Whether the sheet is at rest, so that the next frame is not computed if nothing changes: a scene's `[rest]`.
     fn is_at_rest(&self) -> bool;
-    /// How many pairs of particles met each other at once in the last frame, at most; none in a scene without `[self]`.
+    /// The largest number of pairs of particles in contact at once in the last frame; `None` without `[self]`.
     fn self_contacts(&self) -> Option<u32>;
-    /// How many pairs of an edge and a triangle of the sheet pass through each other: see [`intersections`](crate::measure::intersections).
+    /// The number of pairs of an edge and a triangle of the sheet that pass through each other: see [`intersections`](crate::measure::intersections).
     fn intersections(&self) -> u32;
-    /// All that moves.
+    /// Positions, velocities and pins.
     fn state(&self) -> State;
-    /// Goes on from `state`, which belongs to a sheet of the same grid.
+    /// Continues from `state`, which must belong to a sheet of the same grid.
     fn restore(&mut self, state: &State);
-    /// Holds a particle where it is, or lets it go.
+    /// Pins a particle at its position, or releases it.
     fn set_pinned(&mut self, column: usize, row: usize, pinned: bool);
-    /// Takes hold of a particle, where it is, and of no other any more.
+    /// Grabs a particle at its position, and releases any other.
     ///
     /// # Errors
     ///
-    /// If the number type does not hold such a hand.
+    /// If the parts have no hand, the grip is invalid, or the number type does not represent it.
     fn grab(&mut self, column: usize, row: usize, grip: &Grip) -> Result<(), SceneError>;
-    /// Drags the particle that is held to a place, m, and no further than the number type goes. A pin is carried there.
+    /// Drags the grabbed particle to a place, m, and no further than the range of the number type. A pin is carried there.
     fn drag(&mut self, place: [f64; 3]);
-    /// Lets go of the particle that is held. A pin stays where it is.
+    /// Releases the grabbed particle. A pin stays at its position.
     fn release(&mut self);
     /// Changes gravity, m/s².
     ///
     /// # Errors
     ///
-    /// If the number type does not hold it.
+    /// If the number type does not represent it.
     fn set_gravity(&mut self, gravity: [f64; 3]) -> Result<(), SceneError>;
     /// Changes the wind.
     ///
     /// # Errors
     ///
-    /// If the number type does not hold it.
+    /// If the parts have no wind, or the number type does not represent it.
     fn set_wind(&mut self, wind: Option<&Wind>) -> Result<(), SceneError>;
 }
 
 impl Description {
-    /// Sets the scene up from chosen parts, in a number type and on a grid that are known when the program is compiled.
+    /// Makes a simulation of the scene from chosen parts, in a number type and on a grid known at compile time.
     ///
     /// # Errors
     ///
-    /// If the scene has another grid or names what the parts do not have, or the number type does not hold a value.
+    /// If the scene has another grid, names something that the parts do not have, or has a value that the number type does not represent.
     ///
     /// ```
     /// use kerchief::host::{Bare, Counted, Description, built_in};
@@ -205,7 +205,7 @@ impl Description {
     }
 }
 
-/// What is played.
+/// The core's scene of a simulation.
 type Played<S, P> = Scene<Forces<S, P>, SceneLinks<S, P>, <P as Parts<S>>::Obstacles, SceneSolver<S>>;
 
 struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
@@ -216,10 +216,10 @@ struct Running<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> {
     /// Inverse masses of the sheet without pins.
     unpinned: Box<Grid<S, W, H>>,
     range: Range<S>,
-    /// Where the first particle started and how far from there the sheet may go, cells.
+    /// The initial position of the first particle, and the sheet's largest distance from there, cells.
     start: [f64; 3],
     furthest: f64,
-    /// Duration of a frame, s, and how far a pin is carried in it.
+    /// The duration of a frame, s, and the distance that a pin is carried in it.
     frame: f64,
     stride: Length,
     memory: <SceneSolver<S> as Solver<S>>::Memory<SceneLinks<S, P>, W, H>,
@@ -251,7 +251,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
             self.scene.move_pin(&mut self.cloth, pin, place);
         }
         self.scene.play(&mut self.cloth, &mut self.memory);
-        // a sheet at rest is where it was
+        // a sheet at rest does not move
         if !self.memory.is_at_rest() {
             self.range.look(&mut self.cloth.position.values());
         }
@@ -353,7 +353,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
         let Some(hand) = P::present(&mut self.scene.forces.3) else { return };
         let Some((node, _)) = hand.held() else { return };
         let (from, to) = (self.cloth.position.at(node).to_f64(), self.units.place(place).0);
-        // nor so far that the difference goes beyond the range
+        // also limited so that the difference stays in the range
         let within = |axis: usize| {
             let [low, high] = [-0.5, 0.5].map(|part| from[axis] + part * S::LARGEST);
             to[axis].clamp(low.max(-S::LARGEST), high.min(S::LARGEST))
@@ -366,7 +366,7 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
     fn release(&mut self) {
         let mut held = core::mem::take(&mut self.scene.forces.3);
         if let Some(pin) = P::present(&mut held).and_then(Hand::drop).filter(|&node| self.cloth.is_pinned(node)) {
-            // it was on its way
+            // it may have been on its way to its target
             self.cloth.pin(pin);
         }
     }
@@ -383,12 +383,12 @@ impl<P: Parts<S>, S: Scalar + Send, const W: usize, const H: usize> Simulation f
     }
 }
 
-/// Compiled for each number type, not for each grid.
+/// Takes an iterator: compiled for each number type, not for each grid.
 fn scaled<S: Scalar>(vectors: &mut dyn Iterator<Item = Vec3<S>>, unit: f64) -> Vec<[f64; 3]> {
     vectors.map(|vector| vector.to_f64().map(|component| component * unit)).collect()
 }
 
-/// Whether any of these is further than that from `start` along an axis.
+/// Whether any position is further than `furthest` from `start` along an axis.
 fn far<S: Scalar>(positions: &mut dyn Iterator<Item = Vec3<S>>, start: [f64; 3], furthest: f64) -> bool {
     positions.map(Vec3::to_f64).any(|position| (0..3).any(|axis| (position[axis] - start[axis]).abs() > furthest))
 }
@@ -396,6 +396,6 @@ fn far<S: Scalar>(positions: &mut dyn Iterator<Item = Vec3<S>>, start: [f64; 3],
 fn strain<S: Scalar, const W: usize, const H: usize>(cloth: &Cloth<S, W, H>, links: &impl Links<S>) -> Strain {
     let strain = measure::strain(cloth, links);
     let (largest, rms) = (strain.largest.to_f64(), strain.rms.to_f64());
-    // A comparison passes over links whose strain is undefined, the sum does not.
+    // A comparison ignores links whose strain is undefined; the sum does not.
     Strain { largest: if rms.is_nan() { rms } else { largest }, rms }
 }

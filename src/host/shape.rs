@@ -1,7 +1,7 @@
 //! The grid shapes of the host program.
 
-/// Calls the macro `$then` with every supported shape, so that the list stands in one place: columns, rows, and how many faces a side a
-/// picture makes of a cell.
+/// Calls the macro `$then` with every supported shape, so that there is one list: columns, rows, and the number of faces along a side of a
+/// cell in pictures.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! for_each_shape {

@@ -1,4 +1,4 @@
-//! The solver that a scene asks for while the program runs.
+//! The solver of a scene, chosen at run time.
 
 use std::boxed::Box;
 use std::format;
@@ -32,7 +32,7 @@ pub(super) enum AnySolver {
 
 type MemoryOf<V, S, L, const W: usize, const H: usize> = <V as Solver<S>>::Memory<L, W, H>;
 
-/// The memory of [`AnySolver`], on the heap: a large grid's does not fit the stack of every thread.
+/// The memory of [`AnySolver`], on the heap: for a large grid it does not fit the stack of every thread.
 pub(super) enum AnyMemory<S: Scalar, L: Links<S>, const W: usize, const H: usize> {
     None,
     ForwardEuler(Box<MemoryOf<ForwardEuler, S, L, W, H>>),
@@ -46,7 +46,7 @@ impl AnySolver {
         let sweeps = scene.solver.iterations;
         Ok(match scene.solver.kind {
             SolverKind::Verlet => {
-                // A sweep divides stiffness by their number.
+                // A sweep divides stiffness by the number of sweeps.
                 Fit::<S>::constant("solver.iterations", [1.0 / f64::from(sweeps)])?;
                 Self::Verlet(Verlet { sweeps })
             }
@@ -99,21 +99,21 @@ impl<S: Scalar> Solver<S> for AnySolver {
     }
 }
 
-/// One of the core's solvers for a sheet that may meet itself.
+/// One of the core's solvers, with self-contact if the scene has it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Layered<S: Scalar> {
     solver: AnySolver,
     own: Option<Law<S>>,
 }
 
-/// The memory of [`Layered`]. Which parts of the sheet may meet is on the heap, if it may.
+/// The memory of [`Layered`]. With self-contact, the list of parts of the sheet that are near each other is on the heap.
 pub(super) struct LayeredMemory<S: Scalar, L: Links<S>, const W: usize, const H: usize> {
     solver: AnyMemory<S, L, W, H>,
     near: Option<Box<Near<W, H>>>,
 }
 
 impl<S: Scalar, L: Links<S>, const W: usize, const H: usize> LayeredMemory<S, L, W, H> {
-    /// How many pairs of particles met at once in the last frame.
+    /// The largest number of pairs of particles in contact at once in the last frame.
     pub(super) fn contacts(&self) -> Option<u32> {
         self.near.as_ref().map(|near| near.contacts)
     }
@@ -130,7 +130,7 @@ fn law<S: Scalar>(SelfContact { thickness, friction }: SelfContact, units: &Unit
     let thickness = thickness.unwrap_or(units.cell);
     let [least, most] = [THINNEST * units.cell, units.cell];
     if thickness < (1.0 - 1e-9) * least || thickness > (1.0 + 1e-9) * most {
-        // to six digits, without what rounding adds
+        // to six digits, without the digits of a rounding error
         let [least, most] = [least, most].map(|bound| format!("{bound:.5e}").parse::<f64>().unwrap_or(bound));
         let bounds = format!("must be {least} to {most}, 0.75 to 1 of a cell's longer side, is {thickness}");
         return Err(SceneError::new("self.thickness", bounds));
@@ -159,7 +159,7 @@ impl<S: Scalar> Solver<S> for Layered<S> {
     }
 }
 
-/// One of the core's solvers, which may rest.
+/// One of the core's solvers, which stops at rest if the scene has `[rest]`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SceneSolver<S: Scalar> {
     solver: Layered<S>,

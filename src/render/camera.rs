@@ -1,4 +1,4 @@
-//! The camera: from places in the scene to pixels.
+//! The camera: the projection of points of the scene to pixels.
 
 use embedded_graphics::geometry::{Point, Size};
 
@@ -9,9 +9,9 @@ use crate::vec3::Vec3;
 
 /// A perspective camera that orbits a target.
 ///
-/// It computes in the sheet's own number type, so every board draws the same picture. Depths are counted in distances to the target,
-/// near one, so the eye may be far away even in fixed point; the target must lie within the type's range of every particle (128
-/// cells for [`Q24`](crate::Q24)).
+/// It computes in the sheet's own number type, so every board draws the same picture. Depths are in units of the distance to the target
+/// and therefore near one, so the eye may be far away even in fixed point. The target must lie within the type's range of every
+/// particle (128 cells for [`Q24`](crate::Q24)).
 ///
 /// Memory: 18 numbers and 12 bytes: 84 bytes for 32-bit numbers.
 ///
@@ -26,7 +26,7 @@ use crate::vec3::Vec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera<S> {
     target: Vec3<S>,
-    /// One over the distance to the target, 1/cells.
+    /// The reciprocal of the distance to the target, 1/cells.
     nearness: S,
     azimuth: Turn<S>,
     elevation: Turn<S>,
@@ -38,7 +38,7 @@ pub struct Camera<S> {
     screen: (i32, i32),
 }
 
-/// Unit vectors of the eye.
+/// The axes of the eye, unit vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Axes<S> {
     pub(super) right: Vec3<S>,
@@ -46,7 +46,7 @@ pub(super) struct Axes<S> {
     pub(super) forward: Vec3<S>,
 }
 
-/// A direction in a plane.
+/// A direction in a plane, as sine and cosine of its angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Turn<S> {
     sin: S,
@@ -60,7 +60,7 @@ pub(super) struct Spot {
     pub(super) y: i32,
 }
 
-/// What is nearer to the eye than 2⁻⁴ of its distance to the target is not drawn.
+/// The near plane: points nearer to the eye than 2⁻⁴ of its distance to the target are not drawn.
 const NEAR: u32 = 4;
 
 /// Places further than this from the screen's first pixel are not drawn, so that an area fits 64 bits and a slope 32.
@@ -87,8 +87,8 @@ impl<S: Scalar> Camera<S> {
         }
     }
 
-    /// Turns around the target: `azimuth` to the right, `elevation` upwards, in radians (each at most 1; the
-    /// series used is 10⁻⁷ off at 0.1 and 0.008 at 1). Straight up and straight down are the last elevations.
+    /// Turns around the target by `azimuth` to the right and `elevation` upwards, in radians and at most 1 each. The series used
+    /// has an error of 10⁻⁷ at 0.1 and 0.008 at 1. The elevation stops at straight up and straight down.
     pub fn orbit(&mut self, azimuth: S, elevation: S) {
         self.azimuth = self.azimuth.turned(azimuth);
         let raised = self.elevation.turned(elevation);
@@ -100,33 +100,33 @@ impl<S: Scalar> Camera<S> {
         self.axes = Axes::new(self.azimuth, self.elevation);
     }
 
-    /// Goes nearer to the target, to 1/`factor` of the distance (`factor > 0`), but no nearer than one cell.
+    /// Divides the distance to the target by `factor` (`factor > 0`). The distance stays at least one cell.
     pub fn zoom(&mut self, factor: S) {
         self.nearness = (self.nearness * factor).min(S::ONE);
     }
 
-    /// Looks at another target from the same side.
+    /// Looks at another target from the same direction and distance.
     pub fn aim(&mut self, target: Vec3<S>) {
         self.target = target;
     }
 
-    /// The pixel at which a point (cells) appears, on or beside the screen; none for what is behind the camera or too near to it.
+    /// The pixel at which a point (cells) appears, on or beside the screen; `None` if it is behind the camera, too near, or too far aside.
     pub fn project(&self, point: Vec3<S>) -> Option<Point> {
         self.spot(self.place(point)).map(|spot| Point::new(spot.x >> 8, spot.y >> 8))
     }
 
-    /// The ray that a pixel shows: the inverse of [`project`](Self::project). It begins where things begin to be drawn.
+    /// The ray through a pixel: the inverse of [`project`](Self::project). It begins at the near plane.
     pub fn ray(&self, pixel: Point) -> Ray<S> {
         let Axes { right, up, forward } = self.axes;
         let (x, y) = (self.slope_right(pixel.x), self.slope_up(pixel.y));
-        // at the depth of the target: the eye may be out of range
+        // a point at the depth of the target: the eye may be out of range
         let through = self.target + right * x.divide(self.nearness) + up * y.divide(self.nearness);
         let direction = forward + right * x + up * y;
         let start = (Self::near() - S::ONE) * direction.length();
         Ray::line(through, direction, start.divide(self.nearness))
     }
 
-    /// The place (cells) that a pixel shows as deep in the picture as `point`: where what is dragged goes when the pointer moves on.
+    /// The place (cells) under a pixel at the depth of `point`: the target of a particle dragged by a pointer.
     pub fn under(&self, pixel: Point, point: Vec3<S>) -> Vec3<S> {
         let Axes { right, up, forward } = self.axes;
         let depth = self.place(point).z;
@@ -135,7 +135,7 @@ impl<S: Scalar> Camera<S> {
         self.target + offset.map(|component| component.divide(self.nearness))
     }
 
-    /// A point's place as the eye sees it: to the right, up, and depth, in distances to the target (whose place is 0, 0, 1).
+    /// A point in eye coordinates: right, up and depth, in distances to the target (which is at 0, 0, 1).
     pub fn place(&self, point: Vec3<S>) -> Vec3<S> {
         let Axes { right, up, forward } = self.axes;
         let offset = point - self.target;
@@ -148,12 +148,12 @@ impl<S: Scalar> Camera<S> {
         length * self.nearness
     }
 
-    /// The depth before which nothing is drawn.
+    /// The depth of the near plane.
     pub(super) fn near() -> S {
         S::ONE.halve(NEAR)
     }
 
-    /// Where a place appears; none where it isn't drawn.
+    /// The screen position of a place; `None` if it is not drawn.
     pub(super) fn spot(&self, place: Vec3<S>) -> Option<Spot> {
         if place.z < Self::near() {
             return None;
@@ -163,7 +163,7 @@ impl<S: Scalar> Camera<S> {
         (spot.x.abs() < FARTHEST && spot.y.abs() < FARTHEST).then_some(spot)
     }
 
-    /// The point of a segment, one of whose ends is nearer than drawn, at which it becomes drawn.
+    /// The intersection of the near plane with a segment, of which `hidden` lies before it.
     pub(super) fn clip(hidden: Vec3<S>, seen: Vec3<S>) -> Vec3<S> {
         let part = (Self::near() - hidden.z).divide(seen.z - hidden.z);
         let mut cut = hidden + (seen - hidden) * part;
@@ -171,7 +171,7 @@ impl<S: Scalar> Camera<S> {
         cut
     }
 
-    /// Whether a line between two pixels is not wholly on one side of the screen.
+    /// Whether a line between two pixels is not wholly beyond one edge of the screen.
     pub(super) fn may_show(&self, a: Point, b: Point) -> bool {
         a.x.max(b.x) >= 0 && a.y.max(b.y) >= 0 && a.x.min(b.x) < self.screen.0 && a.y.min(b.y) < self.screen.1
     }
@@ -186,27 +186,27 @@ impl<S: Scalar> Camera<S> {
         self.screen.1 * 128 - slope.round_times(self.focal)
     }
 
-    /// The slope to the right of the middle of a column of pixels.
+    /// The slope to the right at the middle of a column of pixels.
     pub(super) fn slope_right(&self, column: i32) -> S {
         self.pixel.times(2 * column + 1 - self.screen.0).halve(4)
     }
 
-    /// The slope upwards of the middle of a row of pixels.
+    /// The slope upwards at the middle of a row of pixels.
     pub(super) fn slope_up(&self, row: i32) -> S {
         self.pixel.times(self.screen.1 - 2 * row - 1).halve(4)
     }
 
-    /// How far down the screen the middle of a row of pixels is, of 256.
+    /// The middle of a row of pixels as a fraction of the screen's height, of 256.
     pub(super) fn fraction_down(&self, row: i32) -> i32 {
         (256 * row + 128) / self.screen.1
     }
 
-    /// The point that is looked at, cells.
+    /// The point at which the camera looks, cells.
     pub fn target(&self) -> Vec3<S> {
         self.target
     }
 
-    /// A direction as the eye sees it: to the right, up, forward.
+    /// A direction in eye coordinates: right, up, forward.
     pub(super) fn seen(&self, direction: Vec3<S>) -> Vec3<S> {
         let Axes { right, up, forward } = self.axes;
         Vec3::new(direction.dot(right), direction.dot(up), direction.dot(forward))
@@ -225,7 +225,7 @@ impl<S: Scalar> Axes<S> {
 }
 
 impl<S: Scalar> Turn<S> {
-    /// Turned by an angle in radians, of length one again afterwards: any number of turns leaves a direction.
+    /// Turned by an angle in radians, and normalised: it stays a unit vector after any number of turns.
     fn turned(self, angle: S) -> Self {
         // the series up to the fourth power
         let square = angle * angle;
@@ -246,7 +246,7 @@ mod tests {
     const SCREEN: Size = Size::new(320, 240);
     const VIEW: View = View::new(30.0, 20.0).at(Place([4.0, -3.0, 2.0]), Length(60.0));
 
-    /// The same projection by its closed form: the angle's functions from the mathematics library, the eye as a point.
+    /// The same projection in closed form, with the sines and cosines of `libm` and the eye as a point.
     fn closed_form(point: [f64; 3], azimuth: f64, elevation: f64) -> (f64, f64) {
         let (a, e) = (azimuth.to_radians(), elevation.to_radians());
         let (sa, ca, se, ce) = (libm::sin(a), libm::cos(a), libm::sin(e), libm::cos(e));

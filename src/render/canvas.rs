@@ -1,10 +1,10 @@
-//! Only what changed goes to the display.
+//! Partial updates: only the changed part of a picture is sent to the display.
 //!
-//! A sheet moves in a part of the screen. [`Dirty`] keeps the box around whatever is drawn, and there are two ways to use it:
+//! A sheet moves in a part of the screen. [`Dirty`] records the bounding box of everything drawn. There are two ways to use it:
 //!
-//! * Without a framebuffer a [`Dirty`] display [erases](Dirty::erase) the box of the last picture before the next is drawn. It costs
+//! * Without a framebuffer, a [`Dirty`] display [erases](Dirty::erase) the box of the last picture before the next is drawn. This costs
 //!   two rectangles, and the picture flickers.
-//! * With a framebuffer a [`Canvas`] sends the boxes of the last and the new picture in one transfer. Nothing flickers.
+//! * With a framebuffer, a [`Canvas`] sends the box around the last and the new picture in one transfer. Nothing flickers.
 //!
 //! ```
 //! use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
@@ -34,9 +34,9 @@ use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::image::GetPixel;
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 
-/// A target that keeps the box around what was drawn on it since it was last erased.
+/// A target that records the bounding box of everything drawn on it since it was last erased.
 ///
-/// Memory: a box (16 bytes) beside the target.
+/// Memory: a box (16 bytes) in addition to the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dirty<D> {
     target: D,
@@ -49,24 +49,24 @@ impl<D: DrawTarget> Dirty<D> {
         Self { target, drawn: Extent::EMPTY }
     }
 
-    /// The box around what was drawn since the target was last erased.
+    /// The bounding box of everything drawn since the target was last erased.
     pub fn drawn(&self) -> Rectangle {
         self.drawn.within(&self.target)
     }
 
-    /// Fills the box of what was drawn with one colour, and nothing else.
+    /// Fills the [drawn](Self::drawn) box with one colour, and nothing else.
     ///
     /// # Errors
-    /// Whatever the target reports.
+    /// Errors of the target.
     pub fn erase(&mut self, color: D::Color) -> Result<(), D::Error> {
         let drawn = self.forget();
         if drawn.is_zero_sized() { Ok(()) } else { self.target.fill_solid(&drawn, color) }
     }
 
-    /// Draws something over the box of what was drawn, and nowhere else: a backdrop.
+    /// Draws a backdrop over the [drawn](Self::drawn) box, and nowhere else.
     ///
     /// # Errors
-    /// Whatever `restore` returns.
+    /// Errors of `restore`.
     pub fn restore<E>(&mut self, restore: impl FnOnce(&mut Clipped<'_, D>) -> Result<(), E>) -> Result<(), E> {
         let drawn = self.forget();
         if drawn.is_zero_sized() { Ok(()) } else { restore(&mut self.target.clipped(&drawn)) }
@@ -77,7 +77,7 @@ impl<D: DrawTarget> Dirty<D> {
         &self.target
     }
 
-    /// The target itself.
+    /// The target, by value.
     pub fn into_inner(self) -> D {
         self.target
     }
@@ -89,23 +89,23 @@ impl<D: DrawTarget> Dirty<D> {
     }
 }
 
-/// A box that grows.
+/// A bounding box that grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Extent {
     /// The first column and row.
     low: Point,
-    /// Those after the last.
+    /// The column and row after the last.
     high: Point,
 }
 
 impl Extent {
-    /// No place of a display is further away: differences of places up to there fit 32 bits.
+    /// No place of a display is further away; differences of places up to there fit 32 bits.
     const EMPTY: Self = Self { low: Point::new_equal(1 << 30), high: Point::new_equal(-(1 << 30)) };
 
     #[inline]
     fn add(&mut self, area: &Rectangle) {
         let (low, high) = (area.top_left, area.top_left + area.size);
-        // most of what is drawn lies where something was: in one comparison, since a face's rows are short
+        // most areas lie in the box already: tested in one comparison, since a face's rows are short
         let [left, above] = [low.x.wrapping_sub(self.low.x), low.y.wrapping_sub(self.low.y)];
         let [right, below] = [self.high.x.wrapping_sub(high.x), self.high.y.wrapping_sub(high.y)];
         if left | above | right | below < 0 && !area.is_zero_sized() {
@@ -119,7 +119,7 @@ impl Extent {
         self.high = self.high.component_max(other.high);
     }
 
-    /// The part on a target.
+    /// The part of the box on a target.
     fn within(&self, target: &impl Dimensions) -> Rectangle {
         if self.low.x >= self.high.x {
             return Rectangle::zero();
@@ -186,19 +186,18 @@ impl<D: DrawTarget> DrawTarget for Dirty<D> {
     }
 }
 
-/// A framebuffer that sends to a display of its size only what changed.
+/// A framebuffer that sends only the changed box to a display of the same size.
 ///
-/// Boxes are cut to the buffer when they are sent: what is drawn beside it alone sends nothing, what is drawn on it and beside it in one picture may send more than
-/// has to be.
+/// Boxes are clipped to the buffer when they are sent. A picture beside the buffer sends nothing; one partly beside it may send more than necessary.
 ///
 /// Memory: the framebuffer and three boxes (48 bytes).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Canvas<F> {
-    /// With the box of what was drawn since it was sent.
+    /// The framebuffer, with the box drawn since the last transfer.
     buffer: Dirty<F>,
-    /// What was drawn since the last erasing, and is sent.
+    /// The box drawn since the last erasing and already sent.
     sent: Extent,
-    /// What was erased since it was sent.
+    /// The box erased since the last transfer.
     erased: Extent,
 }
 
@@ -208,45 +207,44 @@ impl<F: DrawTarget + GetPixel<Color = <F as DrawTarget>::Color>> Canvas<F> {
         Self { buffer: Dirty::new(buffer), sent: Extent::EMPTY, erased: Extent::EMPTY }
     }
 
-    /// Fills the box of what was drawn with one colour.
+    /// Fills the box of the last picture with one colour.
     ///
     /// # Errors
-    /// Whatever the buffer reports.
+    /// Errors of the buffer.
     pub fn erase(&mut self, color: <F as DrawTarget>::Color) -> Result<(), F::Error> {
         self.prepare();
         self.buffer.erase(color)
     }
 
-    /// Draws a backdrop over the box of what was drawn, and nowhere else.
+    /// Draws a backdrop over the box of the last picture, and nowhere else.
     ///
     /// # Errors
-    /// Whatever `restore` returns.
+    /// Errors of `restore`.
     pub fn restore<E>(&mut self, restore: impl FnOnce(&mut Clipped<'_, F>) -> Result<(), E>) -> Result<(), E> {
         self.prepare();
         self.buffer.restore(restore)
     }
 
-    /// All that was drawn is about to be erased.
+    /// Adds everything drawn since the last erasing, sent or not, to the erased box.
     fn prepare(&mut self) {
         self.buffer.drawn.join(&core::mem::replace(&mut self.sent, Extent::EMPTY));
         self.erased.add(&self.buffer.drawn());
     }
 
-    /// Sends the box around what was erased and drawn since the last time, in one transfer; nothing if that is nothing.
+    /// Sends the box around everything erased or drawn since the last call, in one transfer. An empty box is not sent.
     ///
     /// # Errors
-    /// Whatever the display reports. The next time the same is sent again.
+    /// Errors of the display. The next call then sends the same box again.
     pub fn flush<D: DrawTarget<Color = <F as DrawTarget>::Color>>(&mut self, display: &mut D) -> Result<(), D::Error> {
         self.send(|buffer, changed| {
             display.fill_contiguous(changed, changed.points().filter_map(|at| buffer.pixel(at)))
         })
     }
 
-    /// Passes the box around what was erased and drawn since the last time to `send`, with the buffer: for a driver that takes rows of the buffer as they
-    /// are. Nothing if that is nothing.
+    /// As [`flush`](Self::flush), but passes the buffer and the box to `send`: for a driver that takes rows of the buffer as they are.
     ///
     /// # Errors
-    /// Whatever `send` returns. The next time the same is sent again.
+    /// Errors of `send`. The next call then sends the same box again.
     pub fn send<E>(&mut self, send: impl FnOnce(&F, &Rectangle) -> Result<(), E>) -> Result<(), E> {
         let mut changed = self.erased;
         changed.add(&self.buffer.drawn());
@@ -315,7 +313,7 @@ mod tests {
         Line::new(Point::new(from.0, from.1), Point::new(to.0, to.1)).into_styled(ON)
     }
 
-    /// What a new display receives: a pixel that isn't sent stays blank.
+    /// The pixels that a new display receives. A pixel that isn't sent stays blank.
     fn sent(canvas: &mut Canvas<Buffer>) -> MockDisplay<BinaryColor> {
         let mut display = MockDisplay::new();
         canvas.flush(&mut display).unwrap();
@@ -327,11 +325,11 @@ mod tests {
         let mut canvas = Canvas::new(Buffer::new());
         line((2, 1), (4, 3)).draw(&mut canvas).unwrap();
         sent(&mut canvas).assert_pattern(&["     ", "  #..", "  .#.", "  ..#"]);
-        // The second picture's box and the first one's together
+        // The boxes of the second and the first picture together
         canvas.erase(BinaryColor::Off).unwrap();
         line((3, 4), (7, 4)).draw(&mut canvas).unwrap();
         sent(&mut canvas).assert_pattern(&["        ", "  ......", "  ......", "  ......", "  .#####"]);
-        // The third's box, without the first one's
+        // The boxes of the third and the second picture, without the first one's
         canvas.erase(BinaryColor::Off).unwrap();
         line((6, 4), (6, 5)).draw(&mut canvas).unwrap();
         sent(&mut canvas).assert_pattern(&["        ", "        ", "        ", "        ", "   ...#.", "   ...#."]);

@@ -1,8 +1,8 @@
 //! Filled triangles.
 //!
-//! The corners lie anywhere between pixels and each pixel belongs to the triangle that covers its middle, so that faces with a common
-//! edge neither overlap nor leave a gap. (The triangle of `embedded-graphics` joins middles of pixels, draws common edges twice and
-//! walks all its edges again for each row.)
+//! Corners lie anywhere between pixels, and a pixel belongs to the triangle that covers its middle. Faces with a common edge therefore
+//! neither overlap nor leave a gap. (The triangle of `embedded-graphics` joins middles of pixels, draws common edges twice and follows
+//! all its edges again for each row.)
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
@@ -11,10 +11,10 @@ use embedded_graphics::primitives::Rectangle;
 use super::camera::Spot;
 use super::quotient::quotient;
 
-/// Twice the area that a triangle turns through from `a` over `b` to `c`: positive to the right-hand side (clockwise on a screen).
+/// Twice the signed area of the triangle a, b, c: positive if clockwise on the screen.
 pub(super) fn turn(a: Spot, b: Spot, c: Spot) -> i64 {
     let (ab, ac) = ((b.x - a.x, b.y - a.y), (c.x - a.x, c.y - a.y));
-    // a Cortex-M0 has no products of 64 bits: up to 128 pixels there is no need of one
+    // a Cortex-M0 has no products of 64 bits; sides below 128 pixels do not need them
     let short = [ab.0, ab.1, ac.0, ac.1].into_iter().all(|side| side.unsigned_abs() < 1 << 15);
     if short {
         return i64::from(ab.0 * ac.1 - ab.1 * ac.0);
@@ -22,7 +22,7 @@ pub(super) fn turn(a: Spot, b: Spot, c: Spot) -> i64 {
     i64::from(ab.0) * i64::from(ac.1) - i64::from(ab.1) * i64::from(ac.0)
 }
 
-/// Fills the pixels of `area`, the target's bounding box, whose middle lies in the triangle.
+/// Fills the pixels whose middle lies in the triangle and in `area`, the target's bounding box.
 pub(super) fn triangle<D: DrawTarget>(
     corners: [Spot; 3],
     color: D::Color,
@@ -32,12 +32,12 @@ pub(super) fn triangle<D: DrawTarget>(
     outline(corners.map(Corner::plain), area, |span| target.fill_solid(&span.area(), color))
 }
 
-/// What a face's triangles (q, p, s) and (t, q, s) [`turn`] through.
+/// Twice the signed areas of a face's triangles (q, p, s) and (t, q, s): see [`turn`].
 pub(super) fn turns([p, q, s, t]: [Spot; 4]) -> [i64; 2] {
     [turn(q, p, s), turn(t, q, s)]
 }
 
-/// Fills both triangles of a face.
+/// Fills both triangles of a face with these [`turns`].
 pub(super) fn face<D: DrawTarget>(
     [p, q, s, t]: [Spot; 4],
     [one, other]: [i64; 2],
@@ -53,13 +53,14 @@ pub(super) fn face<D: DrawTarget>(
     triangle([t, q, s], color, area, target)
 }
 
-/// Whether both triangles of a face, which turn so, are one span in each row: lying on either side of their common edge they are, unless their outline turns back up.
+/// Whether both triangles of a face with these [`turns`] form one span in each row. They do if they lie on opposite sides of their common edge and their outline
+/// does not turn back up.
 pub(super) fn is_one_span([one, other]: [i64; 2], ring: [Spot; 4]) -> bool {
     let apart = (one > 0 && other > 0) || (one < 0 && other < 0);
     apart && falls_twice(ring)
 }
 
-/// Whether both ways round from the highest corner lead down to the lowest one.
+/// Whether the outline descends on both sides from its highest corner to its lowest one.
 fn falls_twice(ring: [Spot; 4]) -> bool {
     let [a, b, c, d] = ring.map(|spot| spot.y);
     let rises = [a <= b, b <= c, c <= d, d <= a];
@@ -67,7 +68,7 @@ fn falls_twice(ring: [Spot; 4]) -> bool {
     (0..4).filter(|&k| rises[k] != rises[(k + 1) % 4]).count() == 2
 }
 
-/// A corner of a polygon, and values that go from corner to corner, · 2⁸.
+/// A corner of a polygon, and the values (· 2⁸) that are interpolated between corners.
 #[derive(Clone, Copy)]
 pub(super) struct Corner<const K: usize> {
     pub(super) spot: Spot,
@@ -80,13 +81,13 @@ impl Corner<0> {
     }
 }
 
-/// The part of a row of pixels that lies in a polygon.
+/// The part of a row of pixels inside a polygon.
 pub(super) struct Span<const K: usize> {
     pub(super) row: i32,
-    /// The first column on the target, and that after the last.
+    /// The first column on the target, and the column after the last one.
     pub(super) left: i32,
     pub(super) right: i32,
-    /// The first column on the target or beside it, and how many there are.
+    /// The first column and the number of columns, on the target and beside it.
     pub(super) first: i32,
     pub(super) count: i32,
     /// The values at both ends, · 2¹⁶.
@@ -102,7 +103,7 @@ impl<const K: usize> Span<K> {
     }
 }
 
-/// Passes the rows of a polygon, both of whose sides lead downwards all the way, to `fill`.
+/// Passes the span of each row of a polygon to `fill`. Both sides of the polygon must descend all the way.
 #[inline(always)]
 pub(super) fn outline<E, const N: usize, const K: usize>(
     ring: [Corner<K>; N],
@@ -126,7 +127,7 @@ pub(super) fn outline<E, const N: usize, const K: usize>(
         let until = one.until.min(other.until).min(end);
         while row < until {
             if one.edge.x > other.edge.x {
-                // seldom: the highest corner does not say which side is which
+                // seldom: the highest corner does not tell which side is the left one
                 core::mem::swap(&mut one, &mut other);
             }
             let (a, b) = (&one.edge, &other.edge);
@@ -143,7 +144,7 @@ pub(super) fn outline<E, const N: usize, const K: usize>(
     Ok(())
 }
 
-/// The first pixel whose middle is not before a place.
+/// The first pixel whose middle is at or after a place (pixels · 256).
 pub(super) const fn next_middle(place: i32) -> i32 {
     (place + 127) >> 8
 }
@@ -152,7 +153,7 @@ pub(super) const fn next_middle(place: i32) -> i32 {
 struct Side<const K: usize> {
     /// The corner at which the edge ends.
     corner: usize,
-    /// From one corner to the next, round the ring.
+    /// The step from one corner to the next around the ring.
     step: usize,
     edge: Edge<K>,
     /// The row after the edge's last one.
@@ -164,7 +165,7 @@ impl<const K: usize> Side<K> {
         Self { corner: highest, step, edge: Edge { x: 0, slope: 0, values: [0; K], slopes: [0; K] }, until: i32::MIN }
     }
 
-    /// Goes on to the edge that crosses a row, which is not below the lowest corner.
+    /// Advances to the edge that crosses a row. The row must not be below the lowest corner.
     fn reach<const N: usize>(&mut self, ring: &[Corner<K>; N], row: i32) {
         while self.until <= row {
             let start = ring[self.corner];
@@ -179,11 +180,11 @@ impl<const K: usize> Side<K> {
     }
 }
 
-/// A line downwards, row by row. A common edge is the same line to both its faces.
+/// An edge, followed downwards row by row. Both faces of a common edge compute the same line.
 struct Edge<const K: usize> {
-    /// Pixels · 2¹⁷.
+    /// The column, pixels · 2¹⁷.
     x: i32,
-    /// Of a row.
+    /// The change of `x` per row.
     slope: i32,
     /// Values · 2¹⁶.
     values: [i32; K],
@@ -191,11 +192,11 @@ struct Edge<const K: usize> {
 }
 
 impl<const K: usize> Edge<K> {
-    /// From the middle of a row of pixels on, which lies between the ends: then 32 bits hold every place on the way.
+    /// An edge from the middle of a row of pixels on. The row lies between the ends, so every place on the way fits 32 bits.
     fn new(start: Corner<K>, end: Corner<K>, row: i32) -> Self {
         let (from, to) = (start.spot, end.spot);
         let height = to.y - from.y;
-        // times 2⁹: an edge of 100 pixels ends a fifth of a pixel off at most, and 32 bits hold 4096 pixels
+        // times 2⁹: the end of an edge of 100 pixels is off by a fifth of a pixel at most, and 4096 pixels fit 32 bits
         let slope = quotient((to.x - from.x) << 9, height);
         let below = 256 * row + 128 - from.y;
         let slopes =
@@ -208,7 +209,7 @@ impl<const K: usize> Edge<K> {
         }
     }
 
-    /// In the next row.
+    /// Advances to the next row.
     #[inline(always)]
     fn go_on(&mut self) {
         self.x = self.x.wrapping_add(self.slope);
@@ -287,7 +288,7 @@ mod tests {
             }
         }
         assert!((200..1_800).contains(&at_once), "{at_once} faces at once");
-        // near a corner both sides of a sliver may lie on the same side of a pixel's middle, in another order for each of its triangles
+        // near a corner, both sides of a sliver may lie on the same side of a pixel's middle, in a different order in each triangle
         assert!(others * 100_000 < pixels, "{others} of {pixels} pixels differ");
     }
 

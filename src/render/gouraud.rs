@@ -1,6 +1,6 @@
-//! Filled faces whose level of light changes from corner to corner (H. Gouraud, *Continuous shading of curved surfaces*, 1971).
+//! Filled faces whose level of light is interpolated between corners (H. Gouraud, *Continuous shading of curved surfaces*, 1971).
 //!
-//! It changes evenly along the sides of a face, and from one side to the other: from pixel to pixel that takes an addition, and a look into a table of colours.
+//! The level changes linearly along each side of a face, and along each row from one side to the other. A pixel takes an addition and a table look-up.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::primitives::Rectangle;
@@ -10,7 +10,7 @@ use super::fill::{Corner, Span, is_one_span, outline};
 use super::quotient::quotient;
 use super::ramp::LEVELS;
 
-/// Fills both triangles (q, p, s) and (t, q, s) of a face, which turn so, with the colours of levels (· 2⁸) that go from corner to corner.
+/// Fills both triangles (q, p, s) and (t, q, s) of a face with the colours of levels (· 2⁸) that are interpolated between its corners.
 pub(super) fn face<D: DrawTarget>(
     [p, q, s, t]: [Spot; 4],
     turns: [i64; 2],
@@ -19,7 +19,7 @@ pub(super) fn face<D: DrawTarget>(
     area: &Rectangle,
     target: &mut D,
 ) -> Result<(), D::Error> {
-    // half a level more, so that what is cut off is rounded
+    // half a level more, so that truncation rounds to nearest
     let [at_p, at_q, at_s, at_t] = levels.map(|level| [level + 128]);
     let corner = |spot, values| Corner { spot, values };
     let [p, q, s, t] = [corner(p, at_p), corner(q, at_q), corner(s, at_s), corner(t, at_t)];
@@ -40,7 +40,7 @@ fn polygon<D: DrawTarget, const N: usize>(
     outline(ring, area, |span| {
         let (slope, mut level) = even(&span);
         let colors = core::iter::repeat_with(move || {
-            // no level is passed: the mask is for the compiler
+            // levels are always below the end of the ramp: the mask saves a bounds check
             let color = ramp[(level >> 16) as usize & (LEVELS - 1)];
             level += slope;
             color
@@ -49,7 +49,7 @@ fn polygon<D: DrawTarget, const N: usize>(
     })
 }
 
-/// By how much the level · 2¹⁶ changes from pixel to pixel, and what it is in the first one.
+/// The change of the level (· 2¹⁶) from pixel to pixel, and the level of the first pixel on the target.
 #[inline(always)]
 fn even(span: &Span<1>) -> (i32, i32) {
     let part = match RECIPROCALS.get(span.count as usize) {
@@ -58,13 +58,13 @@ fn even(span: &Span<1>) -> (i32, i32) {
     };
     let ([from], [to]) = (span.from, span.to);
     let slope = (((to - from) >> 8) * part) >> 6;
-    // the first middle is half a pixel on
+    // the middle of the first pixel is half a pixel further
     let level = from + (slope >> 1);
     let beside = span.left - span.first;
     (slope, if beside > 0 { level + slope * beside } else { level })
 }
 
-/// 2¹⁴ over numbers of pixels.
+/// 2¹⁴ divided by each number of pixels.
 const RECIPROCALS: [u16; 256] = {
     let mut all = [0; 256];
     let mut count = 1;
@@ -87,7 +87,7 @@ mod tests {
     use super::*;
     use crate::render::fill;
 
-    /// Numbers of so many bits.
+    /// Pseudo-random numbers of a given number of bits.
     fn numbers() -> impl FnMut(u32) -> i32 {
         let mut state = 1_u32;
         move |bits| {
@@ -96,7 +96,7 @@ mod tests {
         }
     }
 
-    /// Each level is its own grey.
+    /// A ramp whose colours are greys equal to their levels.
     fn ramp() -> [Gray8; LEVELS] {
         core::array::from_fn(|level| Gray8::new(level as u8))
     }
@@ -106,7 +106,7 @@ mod tests {
         places.filter_map(|at| Some((at, display.get_pixel(at)?.luma()))).collect()
     }
 
-    /// The pixels of a triangle on a display of 64 × 64 pixels and around it.
+    /// The pixels that a triangle covers on a display of 64 × 64 pixels. It may reach beyond the display.
     fn filled(corners: [Spot; 3], levels: [i32; 3]) -> Vec<(Point, u8)> {
         let mut display = MockDisplay::new();
         let ring = core::array::from_fn(|k| Corner { spot: corners[k], values: [(levels[k] << 8) + 128] });
@@ -114,7 +114,7 @@ mod tests {
         pixels(&display)
     }
 
-    /// What is above the middle of a pixel by barycentric coordinates, and the least of these.
+    /// The level at the middle of a pixel by barycentric coordinates, and the least of these coordinates.
     fn expected([a, b, c]: [Spot; 3], levels: [i32; 3], at: Point) -> (f64, f64) {
         let spot = Spot { x: at.x * 256 + 128, y: at.y * 256 + 128 };
         let whole = fill::turn(a, b, c) as f64;
@@ -136,10 +136,10 @@ mod tests {
                 assert!((low..=high).contains(&i32::from(found)), "{found} of {low} to {high}");
                 let (level, least) = expected(corners, levels, at);
                 let (before, _) = expected(corners, levels, at - Point::new(1, 0));
-                // elsewhere sides are rounded
+                // nearer to a side, its rounding matters
                 if least > 0.02 {
                     inside += 1;
-                    // a span begins and ends with its sides' levels
+                    // a span of whole pixels begins and ends with the levels of its sides
                     let slack = 1.2 + (level - before).abs();
                     let error = (f64::from(found) - level).abs();
                     assert!(error <= slack, "{found}, not {level}, at {at}: {corners:?} {levels:?}");

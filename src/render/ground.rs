@@ -1,4 +1,4 @@
-//! The ground and what is behind it.
+//! The ground and the background.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
@@ -15,9 +15,9 @@ use crate::scalar::Scalar;
 use crate::units::{Length, Point as Place};
 use crate::vec3::Vec3;
 
-/// What is drawn before everything else: nothing, `()`, a plain colour, or a [`Ground`].
+/// The backdrop, drawn before everything else: none, `()`, a plain colour, or a [`Ground`].
 pub trait Backdrop<S: Scalar> {
-    /// Prepares for this picture.
+    /// Prepares for a picture of these particles and solids in this light.
     fn prepare<O: Solids<S>, const W: usize, const H: usize>(
         &mut self,
         particles: &Particles<S, W, H>,
@@ -25,10 +25,10 @@ pub trait Backdrop<S: Scalar> {
         light: &Light,
     );
 
-    /// Draws it all over the target.
+    /// Draws the backdrop over the whole target.
     ///
     /// # Errors
-    /// Whatever the target reports.
+    /// Errors of the target.
     fn draw<D: DrawTarget<Color: Shade>>(&self, camera: &Camera<S>, target: &mut D) -> Result<(), D::Error>;
 }
 
@@ -50,17 +50,17 @@ impl<S: Scalar> Backdrop<S> for Rgb888 {
 
 /// A level ground of tiles that fades into the background.
 ///
-/// Each row of pixels costs a division, each pixel on the ground about eight products. Seen from below there is no ground, only the
+/// Each row of pixels costs a division, each pixel on the ground about eight products. A camera below the ground sees only the
 /// background.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ground<M = ()> {
-    /// The middle of what is seen of it, cells.
+    /// The middle of its visible part, cells.
     centre: [f64; 3],
-    /// How far from there it has faded away, cells.
+    /// The distance from the middle at which it has faded away, cells.
     reach: f64,
     /// The side of a tile, cells.
     tile: f64,
-    /// The colours of the tiles, in the light.
+    /// The colours of the tiles in full light.
     pub tones: [Rgb888; 2],
     /// The background at the top and at the bottom of the screen.
     pub background: [Rgb888; 2],
@@ -69,7 +69,7 @@ pub struct Ground<M = ()> {
 }
 
 impl Ground {
-    /// A light ground at the height of `centre`, without a shadow, that has faded away at a distance of `reach` from there.
+    /// A light-coloured ground at the height of `centre`, without a shadow, that has faded away at a distance of `reach` from `centre`.
     ///
     /// # Panics
     /// At compile time in a constant: for a `reach` that is not positive.
@@ -86,7 +86,7 @@ impl Ground {
         }
     }
 
-    /// The same with a shadow on it.
+    /// This ground with a shadow on it.
     pub fn shadow<M: Cast>(self, shadow: M) -> Ground<M> {
         let Self { centre, reach, tile, tones, background, shadow: () } = self;
         Ground { centre, reach, tile, tones, background, shadow }
@@ -94,7 +94,7 @@ impl Ground {
 }
 
 impl<M> Ground<M> {
-    /// The same with tiles of this side, at least a 120th of the ground's reach.
+    /// This ground with tiles of this side, at least a 120th of the ground's reach.
     ///
     /// # Panics
     /// At compile time in a constant: for smaller tiles.
@@ -104,7 +104,7 @@ impl<M> Ground<M> {
         Self { tile: side.0, ..self }
     }
 
-    /// The same in other colours.
+    /// This ground in other colours.
     #[must_use]
     pub fn tones(self, tones: [Rgb888; 2], background: [Rgb888; 2]) -> Self {
         Self { tones, background, ..self }
@@ -129,7 +129,7 @@ impl<S: Scalar, M: Cast> Backdrop<S> for Ground<M> {
     fn draw<D: DrawTarget<Color: Shade>>(&self, camera: &Camera<S>, target: &mut D) -> Result<(), D::Error> {
         let area = target.bounding_box();
         let target = &mut Toned(target);
-        // Lengths in the ground's reach: on the ground the middle is (0, 0), and where it has faded away is the unit circle.
+        // Lengths are in units of the ground's reach: the middle is (0, 0), and the ground has faded away at the unit circle.
         let reach = S::from_f64(self.reach);
         let tiles = reach.divide(S::from_f64(self.tile));
         let [right, up, forward] = [camera.axes.right, camera.axes.up, camera.axes.forward];
@@ -137,10 +137,10 @@ impl<S: Scalar, M: Cast> Backdrop<S> for Ground<M> {
         let eye = (camera.target() - Vec3::from_f64(self.centre)) * reach.recip() - forward * distance;
         for row in area.rows() {
             let background = mix(self.background[0], self.background[1], camera.fraction_down(row));
-            // A row of pixels sees a line on the ground: the eye never tilts its head.
+            // A row of pixels shows a line of one depth on the ground, because the camera never rolls.
             let ray = forward + up * camera.slope_up(row);
             let stretch = Rectangle::new(Point::new(area.top_left.x, row), Size::new(area.size.width, 1));
-            // further away than 64 times its height the eye sees none
+            // no ground is drawn at a depth of 64 times its reach or more
             if eye.z <= S::ZERO || -ray.z <= eye.z.halve(6) {
                 target.fill_contiguous(&stretch, core::iter::repeat_n(background, area.size.width as usize))?;
                 continue;
@@ -178,7 +178,7 @@ mod tests {
 
     const SCREEN: Size = Size::new(32, 20);
 
-    /// Colours that stay as they are where nothing fades: the middle of the picture.
+    /// A ground whose colours do not fade in the middle of the picture.
     fn ground() -> Ground {
         let blue = [Rgb888::BLUE; 2];
         Ground::new(Place([0.0; 3]), Length(100.0)).tiles(Length(4.0)).tones([Rgb888::WHITE, Rgb888::BLACK], blue)

@@ -1,4 +1,4 @@
-//! Light on a surface.
+//! The lighting of surfaces.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
@@ -10,9 +10,9 @@ use crate::scalar::Scalar;
 use crate::scalar::fit::is_finite;
 use crate::vec3::Vec3;
 
-/// A lamp far away, the sky above and what the ground reflects.
+/// A lamp far away, the sky above, and the light reflected by the ground.
 ///
-/// A surface of colour c and normal n (z upwards) gets, channel by channel, c·(ground + (sky − ground)·(1 + z)/2 + lamp·max(n·l + w, 0)/(1 + w))
+/// A surface of colour c and normal n (z upwards) has, channel by channel, the tone c·(ground + (sky − ground)·(1 + z)/2 + lamp·max(n·l + w, 0)/(1 + w))
 /// + gloss·lamp (Lambert's law for a wide lamp, a hemisphere light, Blinn's highlight), where 255 counts as one and w is 0.3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
@@ -20,9 +20,9 @@ pub struct Light {
     pub towards: [f64; 3],
     /// The lamp's colour on a surface that faces it.
     pub lamp: Rgb888,
-    /// What surfaces that face upwards get from everywhere.
+    /// The ambient light on surfaces that face upwards.
     pub sky: Rgb888,
-    /// What surfaces that face downwards get from everywhere.
+    /// The ambient light on surfaces that face downwards.
     pub ground: Rgb888,
 }
 
@@ -43,12 +43,12 @@ impl Light {
         }
     }
 
-    /// The light on surfaces whose normals are those of the scene.
+    /// The light for normals in scene coordinates.
     pub(super) fn lamp<S: Scalar>(&self, camera: &Camera<S>) -> Lamp {
         self.lamp_of(camera, |direction| direction)
     }
 
-    /// The light on surfaces whose normals are those that the eye sees.
+    /// The light for normals in eye coordinates.
     pub(super) fn lamp_seen<S: Scalar>(&self, camera: &Camera<S>) -> Lamp {
         self.lamp_of(camera, |direction| camera.seen(direction))
     }
@@ -62,41 +62,41 @@ impl Light {
     }
 }
 
-/// How a surface answers light beyond its colour.
+/// The response of a surface to light, apart from its colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finish {
-    /// The part of the lamp's light that the highlight adds where it is brightest.
+    /// The part of the lamp's light that the highlight adds at its brightest point.
     pub gloss: Rgb888,
-    /// The highlight's exponent as a power of two: 3 is cloth, 5 is paint.
+    /// The logarithm to base 2 of the highlight's exponent: 3 is cloth, 5 is paint.
     pub polish: u32,
     /// The part (of 256) of the lamp's light that shines through to the other side.
     pub translucency: i32,
 }
 
-/// How far the lamp's light reaches around an edge: a wide lamp, not a point. Of 256.
+/// The w of [`Light`], of 256: how far the light of a wide lamp reaches around an edge.
 const WRAP: i32 = 80;
 
-/// `number/(256 + WRAP)`, rounded towards zero, by the divisor's reciprocal, rounded up: right for all that a cosine asks for.
+/// `number/(256 + WRAP)`, rounded towards zero, by the divisor's reciprocal, rounded up. Exact for `(facing + WRAP)·256` with |facing| ≤ 256.
 const fn over_wrapped(number: i32) -> i32 {
     const DIVISOR: u32 = 256 + WRAP as u32;
-    // multiples of 256: four of the bits that are zero are dropped, so that the product fits 32 bits
+    // a multiple of 256: four of its zero bits are dropped so that the product fits 32 bits
     let size = number.unsigned_abs();
     let quotient = ((size >> 4) * ((1 << 20) / DIVISOR + 1)) >> 16;
     if number < 0 { -(quotient as i32) } else { quotient as i32 }
 }
 
-/// A light in the directions of a picture.
+/// A light, with its directions in the coordinates of the normals.
 #[derive(Clone, Copy, Debug)]
 pub struct Lamp {
     towards: Normal,
-    /// Between the lamp and the eye.
+    /// Halfway between the directions to the lamp and to the eye.
     halfway: Normal,
     zenith: Normal,
     light: Light,
 }
 
 impl Lamp {
-    /// What it is made from.
+    /// The light from which this was made.
     pub(super) const fn light(&self) -> &Light {
         &self.light
     }
@@ -133,22 +133,22 @@ impl Lamp {
     }
 }
 
-/// The light that a surface gets, channel by channel.
+/// The light that a surface receives, channel by channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lit {
-    /// What its colour is multiplied by, where 255 counts as one; up to twice that.
+    /// The factor of the surface's colour, where 255 counts as one; up to twice that.
     light: [u16; 3],
-    /// What its gloss adds.
+    /// The light that its gloss adds.
     gloss: [u8; 3],
 }
 
 impl Lit {
-    /// This light, and no gloss.
+    /// This light, without gloss.
     pub(super) fn of(light: [i32; 3]) -> Self {
         Self { light: light.map(|light| light as u16), gloss: [0; 3] }
     }
 
-    /// What a grey surface sends back, twice as bright: its gloss counts as light.
+    /// Twice the light reflected by a medium grey surface, with its gloss.
     pub(super) fn grey(&self) -> [i32; 3] {
         core::array::from_fn(|k| i32::from(self.light[k]) + 2 * i32::from(self.gloss[k]))
     }
@@ -165,14 +165,14 @@ impl Lit {
     }
 }
 
-/// A direction as a unit vector in whole numbers of 32 bits, in 2⁻¹⁴: a tone of 8 bits needs no more, and a Cortex-M0 has no longer products.
+/// A unit vector of 32-bit integers, in units of 2⁻¹⁴. A tone of 8 bits needs no more precision, and a Cortex-M0 has no longer products.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Normal([i32; 3]);
 
 impl Normal {
     const BITS: u32 = 14;
 
-    /// No direction.
+    /// The zero vector: no direction.
     pub(super) const NONE: Self = Self([0; 3]);
 
     /// The direction of a vector whose length is near one.
@@ -180,7 +180,7 @@ impl Normal {
         Self::along(whole(vector))
     }
 
-    /// The direction of the product `a × b` of two vectors of a length of about a cell.
+    /// The direction of the cross product `a × b` of two vectors about a cell long.
     pub(super) fn across<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Self {
         let [a, b] = [a, b].map(|vector| shortened(whole(vector)));
         Self::along([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
@@ -201,7 +201,7 @@ impl Normal {
         Self([x, y, z].map(|component| (component * inverse + (1 << (Self::BITS - 1))) >> Self::BITS))
     }
 
-    /// The cosine of the angle between two directions, in 2⁻ᵇⁱᵗˢ.
+    /// The cosine of the angle between two directions, in units of 2⁻ᵇⁱᵗˢ.
     fn dot(self, other: Self, bits: u32) -> i32 {
         let [[a, b, c], [x, y, z]] = [self.0, other.0];
         let drop = 2 * Self::BITS - bits;
@@ -209,19 +209,19 @@ impl Normal {
     }
 }
 
-/// In 2⁻¹², rounded.
+/// The components in units of 2⁻¹², rounded.
 fn whole<S: Scalar>(Vec3 { x, y, z }: Vec3<S>) -> [i32; 3] {
     [x, y, z].map(|component| component.round_times(1 << 12))
 }
 
-/// The same direction with components of at most 14 bits and a sign, so that three products fit 31.
+/// The same direction with components of at most 14 bits and a sign, so that the sum of three products fits 31.
 fn shortened(vector: [i32; 3]) -> [i32; 3] {
     let bits = vector.into_iter().fold(0, |all, component| all | component.unsigned_abs());
     let drop = 18_u32.saturating_sub(bits.leading_zeros());
     vector.map(|component| component >> drop)
 }
 
-/// A vector of length one; a null vector stays one.
+/// The unit vector in this direction; a zero vector stays zero.
 pub(super) fn unit<S: Scalar>(vector: Vec3<S>) -> Vec3<S> {
     let length = vector.length();
     if length == S::ZERO { vector } else { vector * length.recip() }

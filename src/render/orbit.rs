@@ -1,9 +1,9 @@
-//! A look that a pointer turns and zooms.
+//! A view direction that a pointer turns and zooms.
 
 /// The direction and the distance of a [`View`](super::View), turned and zoomed by a pointer.
 ///
-/// The picture never flips: elevations stay between 2° and 88°, a floor is seen from above. Distances stay between 0.4 and 3.2 times the first one. A look that begins with an
-/// elevation outside of these bounds may stay there.
+/// Elevations stay between 2° and 88°: the picture never flips, and a floor is seen from above. Distances stay between 0.4 and 3.2 times the initial one. An initial elevation
+/// outside of these bounds widens them to include it.
 ///
 /// ```
 /// use kerchief::render::Orbit;
@@ -16,43 +16,43 @@
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orbit {
-    /// Degrees, as of [`View::new`](super::View::new).
+    /// Degrees, as in [`View::new`](super::View::new).
     pub azimuth: f64,
     /// Degrees.
     pub elevation: f64,
-    /// From the eye to its target, in any unit.
+    /// The distance from the eye to its target, in any unit.
     pub distance: f64,
-    /// Bounds.
+    /// The bounds of the elevation, and below of the distance.
     elevations: [f64; 2],
     distances: [f64; 2],
 }
 
 const ELEVATIONS: [f64; 2] = [2.0, 88.0];
-/// In first distances.
+/// In initial distances.
 const DISTANCES: [f64; 2] = [0.4, 3.2];
 const DEGREES_A_PIXEL: f64 = 0.4;
 
 impl Orbit {
-    /// A look that has not been turned yet.
+    /// An orbit with this initial direction (degrees) and distance.
     pub const fn new(azimuth: f64, elevation: f64, distance: f64) -> Self {
         let elevations = [ELEVATIONS[0].min(elevation), ELEVATIONS[1].max(elevation)];
         let distances = [DISTANCES[0] * distance, DISTANCES[1] * distance];
         Self { azimuth, elevation, distance, elevations, distances }
     }
 
-    /// Turns the scene by a pointer's way, pixels.
+    /// Turns the scene by a pointer's displacement, pixels.
     pub fn drag(&mut self, right: f64, down: f64) {
         self.turn(right * DEGREES_A_PIXEL, down * DEGREES_A_PIXEL);
     }
 
     /// Turns the scene to the right, and raises the eye, by degrees.
     pub fn turn(&mut self, right: f64, up: f64) {
-        // from -180 to 180: an angle never grows out of precision
+        // kept from -180 to 180, so that the angle keeps its precision
         self.azimuth = ((self.azimuth - right) % 360.0 + 540.0) % 360.0 - 180.0;
         self.elevation = (self.elevation + up).clamp(self.elevations[0], self.elevations[1]);
     }
 
-    /// Goes nearer, to 1/`factor` of the distance (`factor > 0`).
+    /// Divides the distance by `factor` (`factor > 0`).
     pub fn zoom(&mut self, factor: f64) {
         self.distance = (self.distance / factor).clamp(self.distances[0], self.distances[1]);
     }

@@ -1,4 +1,4 @@
-//! What is printed or woven on a sheet.
+//! Coloured patterns on a sheet.
 
 use embedded_graphics::pixelcolor::Rgb888;
 
@@ -19,32 +19,32 @@ pub const CELL: i32 = 256;
 pub struct Width(i32);
 
 impl Width {
-    /// So many cells.
+    /// A width in cells.
     pub const fn cells(cells: i32) -> Self {
         Self(cells * CELL)
     }
 
-    /// So many parts of [`CELL`]: for what is no whole number of cells.
+    /// A width in parts of a cell ([`CELL`] of them to a cell), for fractions of a cell.
     pub const fn parts(parts: i32) -> Self {
         Self(parts)
     }
 }
 
-/// A place on a sheet at rest, in parts of [`CELL`].
+/// A position on a sheet at rest, in parts of a cell ([`CELL`] of them to a cell).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// From the first column.
+    /// The distance from the first column.
     pub across: i32,
-    /// From the first row.
+    /// The distance from the first row.
     pub down: i32,
-    /// The sheet's extent across.
+    /// The sheet's width.
     pub width: i32,
-    /// The sheet's extent down.
+    /// The sheet's height.
     pub height: i32,
 }
 
 impl Place {
-    /// The middle of a part of a cell of a sheet of `W × H` particles: the one in this column and row of `parts × parts`.
+    /// The middle of one of the `parts × parts` parts of a cell, at this column and row, on a sheet of `W × H` particles.
     pub(super) const fn middle<const W: usize, const H: usize>(
         cell: Node,
         [column, row]: [usize; 2],
@@ -64,7 +64,7 @@ impl Place {
     }
 }
 
-/// The colour of a sheet, place by place. A plain colour is a pattern, and so is a function.
+/// The colour at each position of a sheet. A plain colour is a pattern, and so is a function.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
@@ -93,7 +93,7 @@ impl<F: Fn(&Place) -> Rgb888> Pattern for F {
     }
 }
 
-/// Bands from the first row to the last, one of the second colour in the middle of the sheet.
+/// Bands from the first row to the last. The band in the middle of the sheet has the second colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stripes {
     /// The width of a band.
@@ -108,7 +108,7 @@ impl Pattern for Stripes {
     }
 }
 
-/// A chessboard with a square of the second colour in the middle of the sheet.
+/// A chessboard. The square in the middle of the sheet has the second colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Checks {
     /// The side of a square.
@@ -124,12 +124,12 @@ impl Pattern for Checks {
     }
 }
 
-/// Bands of coloured threads both ways, as woven: where they cross the colour is full, where they meet plain ones it is half.
+/// Bands of coloured threads in both directions, as woven: full colour where two bands cross, half where a band crosses plain threads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Gingham {
     /// The width of a band.
     pub width: Width,
-    /// The plain threads and the coloured ones.
+    /// The colours of the plain and of the coloured threads.
     pub tones: [Rgb888; 2],
 }
 
@@ -148,7 +148,7 @@ pub struct Border<P> {
     pub width: Width,
     /// The band's colour.
     pub tone: Rgb888,
-    /// What it surrounds.
+    /// The pattern inside the border.
     pub inner: P,
 }
 
@@ -158,7 +158,7 @@ impl<P: Pattern> Pattern for Border<P> {
     }
 }
 
-/// Whether a place lies in a band of the second colour, one of which is centred on the extent.
+/// Whether a place lies in a band of the second colour. One of these bands is centred on the extent.
 fn is_band(place: i32, extent: i32, Width(width): Width) -> bool {
     let width = width.max(1);
     (place - extent / 2 + width / 2).div_euclid(width) % 2 == 0
@@ -174,7 +174,7 @@ mod tests {
 
     const TONES: [Rgb888; 2] = [Rgb888::WHITE, Rgb888::RED];
 
-    /// The pattern at the middle of each cell of a sheet of 7 × 5.
+    /// The pattern at the middle of each cell of a sheet of 7 × 5 cells.
     fn rows(pattern: &impl Pattern) -> [String; 5] {
         [0, 1, 2, 3, 4].map(|row| {
             let place = |column| Place {

@@ -1,11 +1,11 @@
-//! Division on processors that cannot divide.
+//! Division on processors without a divide instruction.
 
-/// Whether the machine divides, or something beside it does. (Rust can't be asked for that; of the machines with the Thumb instructions it is those with atomics.)
+/// Whether the processor divides, or a divider beside it does. Rust has no `cfg` for it: of the processors with Thumb instructions, those with atomics divide.
 const DIVIDES: bool = cfg!(not(target_arch = "arm")) || cfg!(target_has_atomic = "32") || cfg!(feature = "divider");
 
-/// `dividend/divisor`, rounded towards zero; nothing by nothing is 0.
+/// `dividend/divisor`, rounded towards zero; a division by zero gives 0.
 ///
-/// Bit by bit it takes a Cortex-M0 a third of the time that its library's routine takes, because the quotients of a picture have few bits.
+/// On a Cortex-M0, division bit by bit takes a third of the time of the library's routine, because the quotients of a picture have few bits.
 #[inline]
 pub(super) fn quotient(dividend: i32, divisor: i32) -> i32 {
     if DIVIDES || divisor == 0 {
@@ -15,7 +15,7 @@ pub(super) fn quotient(dividend: i32, divisor: i32) -> i32 {
     if (dividend < 0) == (divisor < 0) { positive } else { -positive }
 }
 
-/// For a divisor that is not 0.
+/// `dividend/divisor`, for a divisor that is not 0.
 #[inline(never)]
 fn bit_by_bit(dividend: u32, divisor: u32) -> u32 {
     let (mut rest, mut part, mut bit) = (dividend, divisor, 1_u32);

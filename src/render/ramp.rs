@@ -1,33 +1,33 @@
-//! What a colour looks like in more and more light.
+//! Tables of a colour's tones, from darkness to full light.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::light::{Light, Lit};
 use super::tone::{Shade, channels};
 
-/// From no light to all of it.
+/// The number of levels, from no light to full light.
 pub(super) const LEVELS: usize = 128;
 
 /// The colours of `K` bases at each level of light.
 ///
-/// All light is one number here. What there is of it between a surface's own colour and its gloss, and between the lamp, the sky and the ground, is taken to be what is most
-/// common at that level: little light is the ground's, more is the sky's and the lamp's.
+/// Light is one number here, its luma. Its split between the surface's own colour and gloss, and between lamp, sky and ground, is assumed to be the most common split at
+/// that level: little light comes from the ground, more from the sky and the lamp.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ramps<C, const K: usize> {
-    /// Of the lamp, the sky and the ground.
+    /// The colours of the lamp, the sky and the ground, for which the tables are valid.
     lights: Option<[Rgb888; 3]>,
-    /// The most light that there is, of 255, and the levels of a unit of light, · 2¹⁶.
+    /// The largest luma of the light, where 255 counts as one, and the levels per unit of luma, · 2¹⁶.
     most: i32,
     unit: i32,
     of: [Option<(Rgb888, [C; LEVELS])>; K],
-    /// Which of them is made anew next.
+    /// The index of the table that is replaced next.
     next: usize,
 }
 
 impl<C: Shade, const K: usize> Ramps<C, K> {
     pub(super) const NONE: Self = Self { lights: None, most: 1, unit: 0, of: [None; K], next: 0 };
 
-    /// Forgets what belonged to lights of other colours.
+    /// Discards all tables if the colours of the light have changed.
     pub(super) fn prepare(&mut self, &Light { lamp, sky, ground, .. }: &Light) {
         let lights = [lamp, sky, ground];
         if self.lights != Some(lights) {
@@ -37,12 +37,12 @@ impl<C: Shade, const K: usize> Ramps<C, K> {
         }
     }
 
-    /// The level of some light, · 2⁸.
+    /// The level of this light, · 2⁸.
     pub(super) fn level(&self, lit: Lit) -> u16 {
         ((luma(lit.grey()).clamp(0, self.most) * self.unit) >> 8) as u16
     }
 
-    /// The colours of a base.
+    /// The colours of a base at each level. Computes them if no table has them.
     #[inline]
     pub(super) fn of(&mut self, base: Rgb888) -> &[C; LEVELS] {
         const { assert!(K > 0, "there is a colour at least") };
@@ -65,7 +65,7 @@ impl<C: Shade, const K: usize> Ramps<C, K> {
         index
     }
 
-    /// The light at a level.
+    /// The light at a level: from black to the ground's light, and on to the sum of lamp and sky.
     fn color(&self, lights: [Rgb888; 3], level: i32) -> [i32; 3] {
         let [dark, bright] = [channels(lights[2]), bright(lights)];
         let (from, to) = (luma(dark), self.most);
@@ -80,13 +80,13 @@ impl<C: Shade, const K: usize> Ramps<C, K> {
     }
 }
 
-/// The light on what faces the lamp and the sky.
+/// The light on a surface that faces the lamp and the sky.
 fn bright([lamp, sky, _]: [Rgb888; 3]) -> [i32; 3] {
     let [lamp, sky] = [lamp, sky].map(channels);
     core::array::from_fn(|k| lamp[k] + sky[k])
 }
 
-/// How bright some light is (ITU-R BT.601).
+/// The luma of a colour (ITU-R BT.601).
 fn luma([r, g, b]: [i32; 3]) -> i32 {
     (77 * r + 150 * g + 29 * b) >> 8
 }
@@ -100,7 +100,7 @@ mod tests {
     use crate::render::{Camera, View};
     use crate::vec3::Vec3;
 
-    /// In light of one hue there is but one number: the table has the tones of the law of light, to half a level of 2.4 and a rounding.
+    /// Light of one hue is represented by one number: the table agrees with the lighting equation to half a level of 2.4 and a rounding.
     #[test]
     fn tables_have_the_tones_of_light_of_one_hue() {
         let [lamp, sky, ground] = [170, 130, 60].map(|grey| Rgb888::new(grey, grey, grey));

@@ -1,4 +1,4 @@
-//! A sheet as its faces.
+//! A sheet drawn as its faces.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::primitives::Rectangle;
@@ -19,22 +19,22 @@ use crate::particles::Particles;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
-/// Draws sheets of `W × H` particles with light and shade, what is further away first.
+/// Draws sheets of `W × H` particles with light and shade, from back to front.
 ///
-/// Each cell is drawn as `N × N` faces, one unless it is [`smooth`](Self::smooth). A face has one tone, unless tones go from [particle to particle](Self::gouraud).
+/// Each cell is drawn as `N × N` faces: one, unless set by [`smooth`](Self::smooth). A face has one tone, unless [`gouraud`](Self::gouraud) interpolates tones.
 ///
-/// Memory: 16 bytes per particle, for where it is seen and the order in which cells are drawn, 16 more and tables of colours where tones go from particle to particle; and the look.
+/// Memory: the look, and 16 bytes per particle for screen positions and the order of cells. Interpolated tones take 16 bytes more per particle, and tables of colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shaded<L, const W: usize, const H: usize, const N: usize = 1, T = Flat> {
-    /// How everything looks.
+    /// The look of the picture.
     pub look: L,
     shading: T,
-    /// Depth and cell, ready to be sorted.
+    /// Depths and cells, as keys to be sorted.
     order: Grid<u32, W, H>,
     seen: Grid<Seen, W, H>,
 }
 
-/// Where a point is seen.
+/// The screen position and depth of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Seen {
     spot: Spot,
@@ -61,7 +61,7 @@ impl<L, const W: usize, const H: usize> Shaded<L, W, H> {
 }
 
 impl<L, T, const W: usize, const H: usize> Shaded<L, W, H, 1, T> {
-    /// Draws `N × N` faces for each cell, on a smooth surface through the particles: for large pictures. `N` up to 64.
+    /// Draws `N × N` faces for each cell, on a smooth surface through the particles: for large pictures. `N` is at most 64.
     pub fn smooth<const N: usize>(self) -> Shaded<L, W, H, N, T> {
         const { assert!(N > 0 && N <= 64, "a cell is divided into 1 to 64 faces a side") };
         let Self { look, shading, order, seen } = self;
@@ -70,7 +70,7 @@ impl<L, T, const W: usize, const H: usize> Shaded<L, W, H, 1, T> {
 }
 
 impl<L, const W: usize, const H: usize, const N: usize> Shaded<L, W, H, N> {
-    /// Lets tones go from particle to particle instead of giving each face one, on displays of the colour `C` and for patterns of `K` colours: see [`Gouraud`].
+    /// Interpolates tones between particles instead of giving each face one, on displays of the colour `C` and for patterns of `K` colours: see [`Gouraud`].
     pub fn gouraud<C: Shade, const K: usize>(self) -> Shaded<L, W, H, N, Gouraud<C, K, W, H>> {
         const { assert!(!C::PATTERNED, "a display of two colours has no tones in between") };
         let Self { look, order, seen, .. } = self;
@@ -84,7 +84,7 @@ impl<F: Pattern, B: Pattern, O, G, T, const W: usize, const H: usize, const N: u
     /// Draws the backdrop, the solids and the sheet.
     ///
     /// # Errors
-    /// Whatever the target reports.
+    /// Errors of the target.
     pub fn draw<S: Scalar, D: DrawTarget<Color: Shade>>(
         &mut self,
         particles: &Particles<S, W, H>,
@@ -114,7 +114,7 @@ impl<F: Pattern, B: Pattern, O, G, T, const W: usize, const H: usize, const N: u
         }
     }
 
-    /// Orders the cells that are drawn next, just before a solid or after all of them, and counts them.
+    /// Sorts the cells to be drawn next, just before `solid` or (`None`) after all solids, and counts them.
     fn collect<S: Scalar>(&mut self, particles: &Particles<S, W, H>, camera: &Camera<S>, solid: Option<usize>) -> usize
     where
         O: Solids<S>,
@@ -175,13 +175,13 @@ impl<F: Pattern, B: Pattern, O, G, T, const W: usize, const H: usize, const N: u
             let (backward, upward) = (p + s < q + t, p + q < s + t);
             let part = |k: usize| S::from_int(k as i32).divide(S::from_int(N as i32));
             let corner = |column: usize, row: usize| {
-                // particles are seen already
+                // the screen positions of particles are known already
                 let node =
                     (column % N == 0 && row % N == 0).then(|| Node::new(cell.column + column / N, cell.row + row / N));
                 let point = surface::point(&particles.position, cell, part(column), part(row));
                 (point, node.map_or_else(|| Seen::new(point, camera), |node| seen[node]))
             };
-            // the corners in a row: those at the start of each face, and the last one
+            // the corners of a row: the start of each face, and the end of the last one
             let corners_of =
                 |row: usize| (core::array::from_fn::<_, N, _>(|column| corner(column, row)), corner(N, row));
             let at = |(starts, end): &([_; N], _), column: usize| *starts.get(column).unwrap_or(end);
@@ -201,7 +201,7 @@ impl<F: Pattern, B: Pattern, O, G, T, const W: usize, const H: usize, const N: u
     }
 }
 
-/// All that a face's picture depends on beside its corners.
+/// The inputs to drawing a face, apart from its corners.
 struct Easel<'a, F, B, O, G, T, const W: usize, const H: usize> {
     look: &'a Look<F, B, O, G>,
     shading: &'a mut T,
@@ -226,7 +226,7 @@ impl<F: Pattern, B: Pattern, O, G, T, const W: usize, const H: usize> Easel<'_, 
         }
         let spots = seen.map(|seen| seen.spot);
         let turns = fill::turns(spots);
-        // Seen from the front, columns and rows turn against the clock.
+        // Seen from the front, the turn from columns to rows is anticlockwise.
         let is_front = turns[0] + turns[1] > 0;
         let (look, at) = (self.look, Place::middle::<W, H>(part.cell, [part.column, part.row], part.parts as i32));
         let base = if is_front { look.front.tone(&at) } else { look.back.tone(&at) };
@@ -234,7 +234,7 @@ impl<F: Pattern, B: Pattern, O, G, T, const W: usize, const H: usize> Easel<'_, 
             return gouraud::face(spots, turns, levels, ramp, &self.area, target);
         }
         let [p, q, s, t] = points();
-        // The diagonals span twice the face.
+        // The cross product of the diagonals is twice the area of the face, along its normal.
         let diagonals = ((t - p).times(part.parts as i32), (s - q).times(part.parts as i32));
         let normal = Normal::across(diagonals.0, diagonals.1);
         let tone = self.lamp.tone(base, &look.finish, if is_front { normal } else { normal.reversed() });
@@ -252,7 +252,7 @@ fn corners(column: usize, row: usize) -> [Node; 4] {
     [Node::new(column, row), Node::new(column + 1, row), Node::new(column, row + 1), Node::new(column + 1, row + 1)]
 }
 
-/// Whether a solid is drawn before another; all are drawn before none.
+/// Whether a solid is drawn before the solid `than`. Every solid is drawn before `None`.
 fn is_deeper<S: Scalar>(solids: &impl Solids<S>, camera: &Camera<S>, index: usize, than: Option<usize>) -> bool {
     than.is_none_or(|than| {
         let (depth, other) = (solids.depth(index, camera), solids.depth(than, camera));
@@ -260,7 +260,7 @@ fn is_deeper<S: Scalar>(solids: &impl Solids<S>, camera: &Camera<S>, index: usiz
     })
 }
 
-/// The solid that is drawn next after another.
+/// The solid that is drawn next after the solid `after`, or first if that is `None`.
 fn farthest<S: Scalar>(solids: &impl Solids<S>, camera: &Camera<S>, after: Option<usize>) -> Option<usize> {
     let left =
         (0..solids.count()).filter(|&index| after.is_none_or(|after| is_deeper(solids, camera, after, Some(index))));

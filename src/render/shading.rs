@@ -1,4 +1,4 @@
-//! How the tone of a face goes from corner to corner.
+//! Shading of faces: one tone per face, or tones interpolated between corners.
 
 use embedded_graphics::pixelcolor::Rgb888;
 
@@ -9,17 +9,17 @@ use crate::grid::{Grid, Node};
 use crate::particles::Particles;
 use crate::scalar::Scalar;
 
-/// How the faces of a sheet are shaded on displays of the colour `C`: [`Flat`] or [`Gouraud`], and no other.
+/// The shading of a sheet's faces on displays of the colour `C`: [`Flat`] or [`Gouraud`], and no other.
 pub trait Shading<C, const W: usize, const H: usize> {
-    /// Looks at a sheet before it is drawn in this light.
+    /// Prepares for drawing this sheet in this light.
     fn prepare<S: Scalar>(&mut self, particles: &Particles<S, W, H>, lamp: &Lamp);
 
-    /// The levels · 2⁸ of the visible side of the corners p, q (to the right), s (below) and t of a part of a cell of this colour, and what colour a level is; none where a
+    /// The levels of light (· 2⁸) on the visible side at the corners p, q (to the right), s (below) and t of a part of a cell, and the colour of each level. `None` if a
     /// face has one tone.
     fn levels(&mut self, part: Part, side: Side, lamp: &Lamp, finish: &Finish) -> Option<([i32; 4], &[C; LEVELS])>;
 }
 
-/// A part of a cell: the one in this column and row of `parts × parts`.
+/// One of the `parts × parts` parts of a cell, at this column and row.
 #[derive(Clone, Copy, Debug)]
 pub struct Part {
     pub(super) cell: Node,
@@ -28,7 +28,7 @@ pub struct Part {
     pub(super) parts: usize,
 }
 
-/// The side that is seen.
+/// The visible side of a face.
 #[derive(Clone, Copy, Debug)]
 pub struct Side {
     pub(super) is_front: bool,
@@ -50,15 +50,15 @@ impl<C, const W: usize, const H: usize> Shading<C, W, H> for Flat {
     }
 }
 
-/// Tones go from particle to particle (H. Gouraud, *Continuous shading of curved surfaces*, 1971), for patterns of up to `K` colours.
+/// Tones are interpolated between particles (H. Gouraud, *Continuous shading of curved surfaces*, 1971), for patterns of up to `K` colours.
 ///
-/// The light on a particle is counted in 128 levels, and each colour of the pattern has a table of what it looks like at each of them. A particle's normal and the levels of both its
-/// sides take 16 bytes, a table of 16-bit colours 264.
-/// Patterns of more colours are drawn as well, more slowly: tables are made anew in every picture.
+/// The light on a particle has 128 levels. Each colour of the pattern has a table of its tones at these levels. A particle's normal and its levels on both sides take
+/// 16 bytes, and a table of 16-bit colours 264.
+/// Patterns of more colours are drawn as well, more slowly: tables are recomputed in every picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gouraud<C, const K: usize, const W: usize, const H: usize> {
     normal: Grid<Normal, W, H>,
-    /// Of the front and of the back, · 2⁸, once it was asked for.
+    /// Levels of the front and of the back, · 2⁸; `UNKNOWN` until they are needed.
     level: Grid<[u16; 2], W, H>,
     ramps: Ramps<C, K>,
 }
@@ -87,7 +87,7 @@ impl<C: Shade, const K: usize, const W: usize, const H: usize> Shading<C, W, H> 
         for row in 0..H {
             for column in 0..W {
                 let at = |column: usize, row: usize| particles.position.at(Node { column, row });
-                // between the neighbours on both sides; at an edge there is one
+                // differences between both neighbours; at an edge, between the particle and its only neighbour
                 let across = at((column + 1).min(W - 1), row) - at(column.saturating_sub(1), row);
                 let down = at(column, (row + 1).min(H - 1)) - at(column, row.saturating_sub(1));
                 self.normal.0[row][column] = Normal::across(across, down);
@@ -124,7 +124,7 @@ mod tests {
         let [one, four] = [size_of::<Gouraud<Rgb565, 1, 8, 12>>(), size_of::<Gouraud<Rgb565, 4, 8, 12>>()];
         let table = 264;
         assert_eq!(four - one, 3 * table, "of three more tables");
-        // besides the lights and the next table
+        // the rest: the lights, and the index of the table to replace next
         assert!((0..48).contains(&(one - 16 * PARTICLES - table)), "{one}");
     }
 }

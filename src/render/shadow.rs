@@ -1,4 +1,4 @@
-//! The shadow on the ground.
+//! Shadows on the ground.
 
 use core::convert::Infallible;
 
@@ -22,13 +22,13 @@ use crate::vec3::Vec3;
 pub struct Field<S> {
     /// The middle of the square, cells.
     pub centre: Vec3<S>,
-    /// From the middle to an edge, cells.
+    /// The distance from the middle to an edge, cells.
     pub reach: S,
     /// The unit vector to the lamp.
     pub towards: Vec3<S>,
 }
 
-/// What falls on the ground: nothing, `()`, or a [`Shadow`].
+/// The shadow on the ground: none, `()`, or a [`Shadow`].
 pub trait Cast {
     /// Computes the shadow of a sheet and of solids.
     fn cast<S: Scalar, O: Solids<S>, const W: usize, const H: usize>(
@@ -38,7 +38,7 @@ pub trait Cast {
         field: &Field<S>,
     );
 
-    /// The tone of the ground at a place of its square (−1 to 1 from edge to edge) which has this tone in the light.
+    /// The tone of the ground at a place of its square (−1 to 1 from edge to edge), where `tone` is its tone in full light.
     fn darken<S: Scalar>(&self, tone: Rgb888, x: S, y: S) -> Rgb888;
 }
 
@@ -63,19 +63,19 @@ impl Cast for () {
 pub struct Shadow<const N: usize> {
     /// The ground's tone where no light from the lamp arrives.
     pub tone: Rgb888,
-    /// How far the shadow's edge is blurred: each step adds half a place of the map to the square of its width.
+    /// The number of blurs of the map. Each adds half a place of the map to the square of the width of the shadow's edge.
     pub softness: u32,
     cover: [[u8; N]; N],
 }
 
 impl<const N: usize> Shadow<N> {
-    /// A shadow of this tone, two steps soft.
+    /// A shadow of this tone, blurred 2 times.
     pub const fn new(tone: Rgb888) -> Self {
         const { assert!(N > 0 && N <= 256, "a shadow's map has 1 to 256 places a side") };
         Self { tone, softness: 2, cover: [[0; N]; N] }
     }
 
-    /// The same with this softness.
+    /// This shadow with another softness.
     #[must_use]
     pub const fn soften(self, softness: u32) -> Self {
         Self { softness, ..self }
@@ -97,7 +97,7 @@ impl<const N: usize> Shadow<N> {
     }
 }
 
-/// ¼, ½, ¼ of each value and its neighbours; nothing beyond the ends.
+/// Replaces each value by ½ of itself plus ¼ of each neighbour. Values beyond the ends are 0.
 fn blur<'a>(line: impl Iterator<Item = &'a mut u8>) {
     let mut before = 0;
     let mut waiting: Option<&mut u8> = None;
@@ -145,7 +145,7 @@ impl<const N: usize> Cast for Shadow<N> {
             }
         }
         if solids.count() > 0 {
-            // in 256ths, as 128 whole ones do not fit every type
+            // in units of 1/256: 128 in units of 1 does not fit every type
             let part = S::ONE.halve(8);
             let place = |k: usize| field.reach * part.times(2 * k as i32 + 1 - N as i32).divide(part.times(N as i32));
             for (row, line) in self.cover.iter_mut().enumerate() {
@@ -173,7 +173,7 @@ impl<const N: usize> Cast for Shadow<N> {
     }
 }
 
-/// The map as a target.
+/// The map of a shadow as a draw target.
 struct Map<'a, const N: usize>(&'a mut [[u8; N]; N]);
 
 impl<const N: usize> OriginDimensions for Map<'_, N> {
@@ -225,7 +225,7 @@ mod tests {
         }
     }
 
-    /// How many places are covered, and where their middle is, cells.
+    /// The number of covered places, and their centroid, cells.
     fn middle<const N: usize>(shadow: &Shadow<N>) -> (f64, f64, f64) {
         let mut sum = (0.0, 0.0, 0.0);
         for (row, line) in shadow.cover.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The solids that a sheet lies on or hangs before.
+//! The solids that a sheet lies on or hangs in front of.
 
 mod ball;
 mod rod;
@@ -14,27 +14,27 @@ use crate::vec3::Vec3;
 pub use ball::Ball;
 pub use rod::Rod;
 
-/// Solids in a picture: `()` is none, a pair is both, an array and a slice are all of their members.
+/// Solids in a picture: `()` has none, a pair has both, an array or a slice has all of its members.
 ///
-/// A solid has a plane through its outline as the eye sees it: what is outside the solid and beyond that plane may be hidden by it,
-/// all else hides it. A sheet is therefore drawn in two parts, before and after the solid, and never cut.
+/// The outline of a solid, as the eye sees it, defines a plane. The solid may hide a face that is outside of it and beyond that plane; any
+/// other face may hide the solid. The cells of a sheet are therefore drawn in two groups, before and after the solid, and never cut.
 pub trait Solids<S: Scalar> {
-    /// How many there are.
+    /// The number of solids.
     fn count(&self) -> usize;
 
-    /// The depth of one's middle, in distances to the camera's target: the deepest is drawn first.
+    /// The depth of the middle of a solid, in distances to the camera's target. The deepest solid is drawn first.
     fn depth(&self, index: usize, camera: &Camera<S>) -> S;
 
-    /// Whether one may hide a place outside of it (as the eye sees it: [`Camera::place`]).
+    /// Whether a solid may hide a place, in eye coordinates: see [`Camera::place`].
     fn hides(&self, index: usize, place: Vec3<S>, camera: &Camera<S>) -> bool;
 
-    /// Whether any of them takes the light from a point (cells), where `towards` is the unit vector to the lamp.
+    /// Whether any solid blocks the light at a point (cells). `towards` is the unit vector to the lamp.
     fn shades(&self, point: Vec3<S>, towards: Vec3<S>) -> bool;
 
-    /// Draws one.
+    /// Draws a solid.
     ///
     /// # Errors
-    /// Whatever the target reports.
+    /// Errors of the target.
     fn draw<D: DrawTarget<Color = Rgb888>>(
         &self,
         index: usize,
@@ -109,7 +109,7 @@ impl<S: Scalar, A: Solids<S>, B: Solids<S>> Solids<S> for (A, B) {
     }
 }
 
-/// All of its members, each of them one solid.
+/// All members of the slice, each of them one solid.
 impl<S: Scalar, T: Solids<S>> Solids<S> for [T] {
     fn count(&self) -> usize {
         self.len()

@@ -1,14 +1,14 @@
-//! The surface between the particles.
+//! The smooth surface through the particles.
 
 use crate::grid::Node;
 use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 use crate::vectors::Vectors;
 
-/// The surface through all particles whose tangent in each is that of its neighbours' chord (Catmull and Rom, "A class of local
-/// interpolating splines", 1974), both ways; beyond the border it goes on straight.
+/// A point of the surface through all particles by cubic splines along rows and columns: the tangent at a particle is that of the chord
+/// between its neighbours (Catmull and Rom, "A class of local interpolating splines", 1974). The border is extrapolated linearly.
 ///
-/// `column` and `row` name the first corner of a cell, `across` and `down` (0 to 1) the place in it.
+/// `corner` is the first corner of a cell; `across` and `down` (0 to 1) are the position in the cell.
 pub(super) fn point<S: Scalar, const W: usize, const H: usize>(
     position: &Vectors<S, W, H>,
     corner: Node,
@@ -24,7 +24,7 @@ pub(super) fn point<S: Scalar, const W: usize, const H: usize>(
     blend(vertical, row)
 }
 
-/// What has no weight isn't even computed.
+/// The weighted sum of four points. Where one weight is 1, the other points are not computed.
 fn blend<S: Scalar>(weights: [S; 4], point: impl Fn(usize) -> Vec3<S>) -> Vec3<S> {
     match weights {
         [_, one, _, _] if one == S::ONE => point(1),
@@ -33,7 +33,7 @@ fn blend<S: Scalar>(weights: [S; 4], point: impl Fn(usize) -> Vec3<S>) -> Vec3<S
     }
 }
 
-/// At 0 all weight is the second point's and at 1 the third's, exactly: neighbouring cells meet.
+/// The weights of four points. At 0 the second weight is exactly 1, at 1 the third: neighbouring cells meet without a gap.
 fn weights<S: Scalar>(u: S) -> [S; 4] {
     let square = u * u;
     let cube = square * u;
@@ -80,7 +80,7 @@ mod tests {
     use crate::grid::Grid;
     use crate::scalar::Q24;
 
-    /// A sheet on x² − y, in quarters so that all types hold it exactly.
+    /// A sheet on z = x² − y, in quarters so that all types represent it exactly.
     fn sheet<S: Scalar>() -> Vectors<S, 5, 4> {
         let mut grid = Vectors::filled(Vec3::ZERO);
         for node in Grid::<S, 5, 4>::nodes() {

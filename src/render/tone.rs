@@ -1,4 +1,4 @@
-//! Tones: what a picture is computed in, and the colours that displays can show.
+//! Tones, the colours in which pictures are computed, and their conversion to the colours of displays.
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::{
 };
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 
-/// A display's colour that can stand for a tone, a colour of 8 bits per channel.
+/// A display's colour that can represent a tone, a colour of 8 bits per channel.
 ///
 /// Implemented for the colours of `embedded-graphics`. For a colour of your own, [`nearest`](Self::nearest) is enough:
 ///
@@ -35,13 +35,13 @@ use embedded_graphics::primitives::{PointsIter, Rectangle};
 /// }
 /// ```
 pub trait Shade: PixelColor {
-    /// Whether even an area of one tone needs a pattern of several colours.
+    /// Whether even an area of one tone is drawn as a pattern of several colours.
     const PATTERNED: bool = false;
 
     /// The colour nearest to a tone.
     fn nearest(tone: Rgb888) -> Self;
 
-    /// The colour that a pixel takes so that the pixels around it have the tone on average.
+    /// The colour of the pixel at a point, chosen so that the pixels around it have the tone on average. By default, the nearest colour.
     fn dithered(tone: Rgb888, _at: Point) -> Self {
         Self::nearest(tone)
     }
@@ -50,10 +50,10 @@ pub trait Shade: PixelColor {
 /// Thresholds 0 to 15 of ordered dithering (Bayer, "An optimum method for two-level rendition of continuous-tone pictures", 1973).
 const BAYER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
 
-/// One of the levels 0 to `MAX` next to a channel's value.
+/// One of the two levels of 0 to `MAX` next to a channel's value, chosen by the threshold of the pixel.
 fn dither<const MAX: u16>(channel: u8, at: Point) -> u8 {
     let threshold = BAYER[(at.y & 3) as usize][(at.x & 3) as usize];
-    // 0 to 256, so that the brightest level is reached everywhere
+    // extended to 0 to 256, so that full brightness gives the highest level at every pixel
     let part = u16::from(channel) + u16::from(channel >> 7);
     ((part * MAX + u16::from(threshold * 16 + 8)) >> 8) as u8
 }
@@ -116,18 +116,18 @@ impl Shade for BinaryColor {
     }
 }
 
-/// Red, green and blue.
+/// The channels red, green and blue of a tone.
 pub(super) fn channels(tone: Rgb888) -> [i32; 3] {
     [tone.r(), tone.g(), tone.b()].map(i32::from)
 }
 
-/// `from` where `part` is 0, `to` where it is 256.
+/// Interpolates linearly: `from` at a `part` of 0, `to` at 256.
 pub(super) fn mix(from: Rgb888, to: Rgb888, part: i32) -> Rgb888 {
     let channel = |from: u8, to: u8| (i32::from(from) + (((i32::from(to) - i32::from(from)) * part + 128) >> 8)) as u8;
     Rgb888::new(channel(from.r(), to.r()), channel(from.g(), to.g()), channel(from.b(), to.b()))
 }
 
-/// A target of tones that draws on a display of any colour.
+/// A draw target for tones, which draws on a display of any colour type.
 #[derive(Debug)]
 pub struct Toned<'a, D>(pub &'a mut D);
 

@@ -1,4 +1,4 @@
-//! Where one looks from: the description of a camera, evaluated when firmware is compiled.
+//! The description of a camera: direction, distance and field of view, evaluated at compile time.
 
 use core::f64::consts::PI;
 
@@ -7,9 +7,9 @@ use embedded_graphics::geometry::Size;
 use crate::scalar::fit::is_finite;
 use crate::units::{Length, Point};
 
-/// A look at a scene from outside, in cells and degrees.
+/// The direction, distance and field of view of a camera, in cells and degrees.
 ///
-/// Azimuth 0° looks along y (x to the right), 90° stands on the side of positive x; elevation 90° looks straight down.
+/// At azimuth 0° the camera looks along y, with x to the right; at 90° it stands on the side of positive x. At elevation 90° it looks straight down.
 ///
 /// Every method is a `const fn`: a constant view costs firmware 80 bytes of flash and no float routine.
 ///
@@ -25,7 +25,7 @@ use crate::units::{Length, Point};
 pub struct View {
     /// The point in the middle of the picture, cells.
     pub(super) target: [f64; 3],
-    /// From the eye to the target, cells.
+    /// The distance from the eye to the target, cells.
     pub(crate) distance: f64,
     /// (sin, cos)
     pub(super) azimuth: (f64, f64),
@@ -35,11 +35,11 @@ pub struct View {
     pub(super) field: f64,
 }
 
-/// The part of the screen that a fitted scene leaves free on each side.
+/// The margin that a fitted scene leaves free on each side, as a fraction of the screen.
 const MARGIN: f64 = 0.04;
 
 impl View {
-    /// A look at the origin from this direction (degrees), 50 cells away, with a field of view of 30°.
+    /// A view of the origin from this direction (degrees), 50 cells away, with a field of view of 30°.
     ///
     /// # Panics
     /// At compile time in a constant: for an angle that is not finite.
@@ -65,7 +65,7 @@ impl View {
     /// Looks at `target` from `distance` away.
     ///
     /// # Panics
-    /// At compile time in a constant: for a distance below one cell, and for what is not finite.
+    /// At compile time in a constant: for a distance below one cell, and for a target or distance that is not finite.
     #[must_use]
     #[track_caller]
     pub const fn at(self, target: Point, distance: Length) -> Self {
@@ -75,16 +75,16 @@ impl View {
         self.from(target, distance)
     }
 
-    /// The same for a box of any extent, as of a sheet that has exploded.
+    /// As [`at`](Self::at), without its checks: a fitted box may have any extent, such as that of a sheet that has exploded.
     const fn from(self, target: Point, distance: Length) -> Self {
         Self { target: target.0, distance: distance.0, ..self }
     }
 
-    /// Comes as near as possible while the whole box from `low` to `high` stays on a screen of this size, with a margin of 4 % of
-    /// the screen on each side.
+    /// Moves the camera as near as possible while the whole box from `low` to `high` stays on a screen of this size, with a margin of
+    /// 4 % of the screen on each side.
     ///
     /// # Panics
-    /// At compile time in a constant: for a screen without a pixel.
+    /// At compile time in a constant: for a screen whose width or height is zero.
     #[must_use]
     #[track_caller]
     pub const fn fit(self, low: Point, high: Point, screen: Size) -> Self {
@@ -96,8 +96,8 @@ impl View {
         ];
         let [right, up, forward] = self.axes();
         let middle = [0.5 * (low.0[0] + high.0[0]), 0.5 * (low.0[1] + high.0[1]), 0.5 * (low.0[2] + high.0[2])];
-        // A corner (x, y, z) is inside where |x − x₀| ≤ slope·(z + distance): the corners' largest x − slope·z and −x − slope·z bound
-        // the distance, their difference centres x₀.
+        // A corner (x, y, z) is inside if |x − x₀| ≤ slope·(z + distance). The largest x − slope·z and the largest −x − slope·z of all
+        // corners give both unknowns: their sum is 2·slope·distance, their difference 2·x₀.
         let mut most = [[f64::MIN; 2]; 2];
         let mut corner = 0;
         while corner < 8 {
@@ -127,14 +127,14 @@ impl View {
         self.from(Point(target), Length(distance.max(1.0)))
     }
 
-    /// A look at the same point from somewhere else, a cell away at least.
+    /// A view of the same target from the direction and distance of `orbit`, at least one cell away.
     #[cfg(feature = "std")]
     pub(crate) fn seen_from(self, orbit: &super::Orbit) -> Self {
         let Self { azimuth, elevation, .. } = Self::new(orbit.azimuth, orbit.elevation);
         Self { azimuth, elevation, distance: orbit.distance.max(1.0), ..self }
     }
 
-    /// Right, up and forward as seen by the eye: unit vectors.
+    /// The unit vectors of the eye: right, up and forward.
     const fn axes(&self) -> [[f64; 3]; 3] {
         let (sa, ca) = self.azimuth;
         let (se, ce) = self.elevation;
@@ -146,7 +146,7 @@ const fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Sine and cosine by their series within 45° of a multiple of 90°: the standard library's are no `const fn`.
+/// Sine and cosine by their series within 45° of a multiple of 90°. The functions of the standard library are not `const fn`.
 pub(super) const fn sin_cos(degrees: f64) -> (f64, f64) {
     let mut rest = degrees % 360.0;
     let mut quarters = 0_i32;

@@ -1,4 +1,4 @@
-//! A sheet as its links.
+//! A sheet drawn as its links.
 
 use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::DrawTarget;
@@ -15,7 +15,7 @@ use crate::vec3::Vec3;
 
 /// The lines between a sheet's particles, each one pixel wide.
 ///
-/// [`draw`](Self::draw) draws it light, what is further away dimmer; with a style of its own it is drawn like any other primitive:
+/// [`draw`](Self::draw) draws light lines that get dimmer with depth. With a style, a wireframe is drawn like any other primitive:
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::PrimitiveStyle};
@@ -39,13 +39,13 @@ pub struct Wireframe<'a, S, const W: usize, const H: usize> {
     links: &'a [(i32, i32)],
 }
 
-/// Columns and rows.
+/// The links along rows and columns.
 const STRETCH: &[(i32, i32)] = &[(1, 0), (0, 1)];
 
-/// The luma of a line at the target, and by how much it falls per distance to the target: a sheet spans about a third of it.
+/// The luma of a line at the depth of the target, and its decrease per distance to the target. A sheet spans about a third of that distance.
 const LUMA: i32 = 200;
 const FALL: i32 = 320;
-/// No line gets dimmer than half: a display of two colours shows all of them.
+/// The least luma of a line: half, so that a display of two colours shows all lines.
 const DIMMEST: i32 = 128;
 
 impl<'a, S: Scalar, const W: usize, const H: usize> Wireframe<'a, S, W, H> {
@@ -60,10 +60,10 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Wireframe<'a, S, W, H> {
         Self { links, ..self }
     }
 
-    /// Draws the lines light, what is further away dimmer.
+    /// Draws light lines that get dimmer with depth.
     ///
     /// # Errors
-    /// Whatever the target reports.
+    /// Errors of the target.
     pub fn draw<D: DrawTarget<Color: Shade>>(&self, target: &mut D) -> Result<(), D::Error> {
         self.each(|line, depth| {
             let luma = (LUMA - (depth - S::ONE).round_times(FALL)).clamp(DIMMEST, 255) as u8;
@@ -90,7 +90,7 @@ impl<'a, S: Scalar, const W: usize, const H: usize> Wireframe<'a, S, W, H> {
                 continue;
             }
             for start in crate::grid::Grid::<S, W, H>::nodes().filter(|&node| step(node, -1).is_none()) {
-                // a walk along the links computes each particle's place once
+                // following the links computes each particle's place once
                 let mut last = self.camera.place(self.particles.position.at(start));
                 let mut node = start;
                 while let Some(next) = step(node, 1) {

@@ -1,4 +1,4 @@
-//! What is drawn, as text.
+//! Tests that compare pictures as text.
 
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::mock_display::MockDisplay;
@@ -12,7 +12,7 @@ use crate::units::{Length, Point as Spot, Units};
 
 const UNITS: Units = Units::sheet([5, 5], [4.0, 4.0], 1.0, 0.1, 1);
 const SCREEN: Size = Size::new(24, 24);
-/// Colours stay as they are.
+/// Light that leaves colours as they are.
 const EVEN: Light = Light { lamp: Rgb888::BLACK, sky: Rgb888::WHITE, ground: Rgb888::WHITE, ..Light::new(0.0, 45.0) };
 
 type Sheet<S> = Cloth<S, 5, 5>;
@@ -271,7 +271,7 @@ fn memory_is_as_documented() {
     assert_eq!(size_of::<Shaded<(), 16, 16>>(), 16 * 256);
 }
 
-/// A quarter of a pipe, upright.
+/// A sheet bent to a quarter of an upright pipe.
 fn bent<S: Scalar>() -> Sheet<S> {
     let mut cloth = hung();
     for node in Grid::<S, 5, 5>::nodes() {
@@ -282,7 +282,7 @@ fn bent<S: Scalar>() -> Sheet<S> {
     cloth
 }
 
-/// The largest difference between a pixel in the middle row and the next.
+/// The largest difference between neighbouring pixels of the middle row.
 fn steepest(display: &MockDisplay<Rgb888>) -> u8 {
     let tones = (0..SCREEN.width as i32).filter_map(|x| display.get_pixel(Point::new(x, SCREEN.height as i32 / 2)));
     let (mut before, mut most) = (None, 0);
@@ -324,7 +324,7 @@ fn even_light_leaves_colours_as_they_are() {
         let mut display = MockDisplay::<Rgb888>::new();
         display.set_allow_overdraw(true);
         let shaded = Shaded::<_, 5, 5>::new(look);
-        // with tables for each colour, for two of three, and for one at a time
+        // without tables, and with tables for all three colours, for two and for one
         match k {
             0 => Shaded::<_, 5, 5>::new(look).draw(&laid::<Q24>(), &camera, &mut display).unwrap(),
             1 => shaded.gouraud::<_, 3>().draw(&laid::<Q24>(), &camera, &mut display).unwrap(),

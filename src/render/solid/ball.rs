@@ -27,7 +27,7 @@ pub struct Ball<S> {
 pub(super) const PAINT: Finish = Finish { gloss: Rgb888::new(110, 110, 110), polish: 5, translucency: 0 };
 
 impl<S: Scalar> Ball<S> {
-    /// A ball of this place, radius and colour.
+    /// A ball with this middle, radius and colour.
     ///
     /// # Panics
     /// For a radius that is negative or beyond the range of the number type.
@@ -60,7 +60,7 @@ impl<S: Scalar> Solids<S> for Ball<S> {
         let along = offset.dot(towards);
         let reach = self.radius;
         let across = offset - towards * along;
-        // beyond the ball's box the square need not fit the type
+        // outside of the ball's box, the square may not fit the type
         let near = across.x.abs() < reach && across.y.abs() < reach && across.z.abs() < reach;
         along > S::ZERO && near && across.squared() < reach.product(reach)
     }
@@ -102,9 +102,9 @@ impl<S: Scalar> Solids<S> for Ball<S> {
     }
 }
 
-/// A ball as the eye sees it.
+/// A ball in eye coordinates, with middle c and radius r.
 ///
-/// A ray t·(x, y, 1) meets it where b² ≥ k·(x² + y² + 1) for b = (x, y, 1)·c and k = c² − r².
+/// A ray t·(x, y, 1) intersects it if b² ≥ k·(x² + y² + 1), where b = (x, y, 1)·c and k = c² − r².
 #[derive(Clone, Copy)]
 pub(super) struct Sphere<S> {
     pub(super) centre: Vec3<S>,
@@ -119,20 +119,20 @@ impl<S: Scalar> Sphere<S> {
         Self { centre, radius, per_radius: radius.recip(), power: centre.dot(centre) - radius * radius }
     }
 
-    /// Whether a place is beyond the polar plane of the eye, (p − c)·(eye − c) = r², or deep inside: a face that comes out of a pole comes out from behind it. (The middle of
-    /// a face that lies on a ball is inside it, too, by a little.)
+    /// Whether a place p is beyond the polar plane of the eye, (p − c)·(eye − c) = r², or deep inside. A face that comes out of a pole is thereby drawn as coming from
+    /// behind it. (The middle of a face that lies on a ball is inside it too, but not deep.)
     pub(super) fn hides(&self, place: Vec3<S>) -> bool {
         let (offset, deep) = (self.centre - place, self.radius - self.radius.halve(3));
         offset.dot(self.centre) < self.radius * self.radius || offset.dot(offset) < deep * deep
     }
 
-    /// The pixels around it; none if it reaches the eye.
+    /// The bounding box of its pixels; `None` if it reaches the near plane.
     pub(super) fn outline(&self, camera: &Camera<S>) -> Option<Rectangle> {
         let Self { centre: c, radius: r, power, .. } = *self;
         if c.z - r < Camera::<S>::near() {
             return None;
         }
-        // the planes through the eye that touch the ball
+        // the bounds are planes through the eye that touch the ball
         let extent = |c: S, other: S, divisor| roots(c, r * S::root((power - other * other).product(S::ONE)), divisor);
         let divisor = c.z * c.z - r * r;
         let (left, right) = extent(c.x * c.z, c.y, divisor);
@@ -142,13 +142,13 @@ impl<S: Scalar> Sphere<S> {
         Some(Rectangle::new(first, Size::new((end.x - first.x).max(0) as u32, (end.y - first.y).max(0) as u32)))
     }
 
-    /// Negative for a ray that passes by.
+    /// b² − k·(x² + y² + 1) of a ray: negative if it misses the ball.
     pub(super) fn inside(&self, ray: Vec3<S>) -> S {
         let b = ray.dot(self.centre);
         b * b - self.power * ray.dot(ray)
     }
 
-    /// The depth at which a ray meets it, and its unit normal there.
+    /// The depth of a ray's first intersection, and the ball's unit normal there.
     pub(super) fn meet(&self, ray: Vec3<S>, inside: S) -> (S, Vec3<S>) {
         let depth = self.power.divide(ray.dot(self.centre) + S::root(inside.product(S::ONE)));
         (depth, (ray * depth - self.centre) * self.per_radius)
@@ -230,7 +230,7 @@ mod tests {
         let camera = Camera::<Q24>::new(&VIEW, SCREEN);
         let ball = Ball::<Q24>::new(Place([0.0; 3]), Length(2.0), Rgb888::RED);
         let hides = |point| ball.hides(0, camera.place(Vec3::from_f64(point)), &camera);
-        // the polar plane of an eye at distance d lies r²/d = 0.2 before the middle
+        // the polar plane of an eye at distance d lies r²/d = 0.2 in front of the middle
         assert!(!hides([0.0, -0.21, 2.5]) && hides([0.0, -0.19, 2.5]));
         assert!(hides([0.0, 3.0, 0.0]) && !hides([0.0, -3.0, 0.0]));
         // on the near side, a little inside and deep inside

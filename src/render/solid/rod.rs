@@ -38,14 +38,14 @@ impl<S: Scalar> Rod<S> {
         Self { a: a.to_vec(), b: b.to_vec(), radius: S::from_f64(radius.0), tone }
     }
 
-    /// The ball in a point of the axis.
+    /// The ball at a point of the axis.
     fn ball(&self, centre: Vec3<S>) -> Ball<S> {
         Ball { centre, radius: self.radius, tone: self.tone }
     }
 
-    /// The point of the axis nearest to the line in this direction (a unit vector) through a point.
+    /// The point of the axis nearest to the line through `point` in this direction (a unit vector).
     fn nearest(&self, point: Vec3<S>, direction: Vec3<S>) -> Vec3<S> {
-        // in 32 cells: the squares of all lengths fit the type
+        // in units of 32 cells, so that the squares of all lengths fit the type
         let beside = |v: Vec3<S>| v - direction * v.dot(direction);
         let (start, axis) = (beside((self.a - point).halve(5)), beside((self.b - self.a).halve(5)));
         let square = axis.dot(axis);
@@ -94,12 +94,12 @@ impl<S: Scalar> Solids<S> for Rod<S> {
         };
         let area = union(&near_a, &near_b).intersection(&target.bounding_box());
         for row in area.rows() {
-            // A rod bulges everywhere: the pixels that show it are one stretch of the row.
+            // A rod is convex: its pixels in a row are contiguous.
             let y = camera.slope_up(row);
             let shows = |&column: &i32| meet(column, y).is_some();
             let (Some(first), Some(last)) = (area.columns().find(shows), area.columns().rfind(shows)) else { continue };
             let stretch = Rectangle::with_corners(Point::new(first, row), Point::new(last, row));
-            // a pixel that rounding leaves out takes its neighbour's tone
+            // a pixel in between that misses the rod by rounding takes its neighbour's tone
             let mut tone = self.tone;
             let tones = (first..=last).map(|column| {
                 if let Some((_, normal)) = meet(column, y) {
@@ -113,16 +113,16 @@ impl<S: Scalar> Solids<S> for Rod<S> {
     }
 }
 
-/// The side of a rod as the eye sees it.
+/// The cylindrical side of a rod in eye coordinates.
 ///
-/// A ray meets it where the ray's part across the axis is `radius` away from the axis.
+/// A ray intersects it where its component perpendicular to the axis is `radius` away from the axis.
 struct Side<S> {
     start: Vec3<S>,
     axis: Vec3<S>,
     length: S,
-    /// The part of `start` across the axis.
+    /// The component of `start` perpendicular to the axis.
     across: Vec3<S>,
-    /// That part's square less the radius'.
+    /// The square of `across` minus the square of the radius.
     power: S,
     per_radius: S,
 }
@@ -135,7 +135,7 @@ impl<S: Scalar> Side<S> {
         Self { start, axis, length: (end - start).dot(axis), across, power, per_radius: radius.recip() }
     }
 
-    /// The depth at which a ray meets it, and its unit normal there.
+    /// The depth of a ray's first intersection, and the unit normal there.
     fn meet(&self, ray: Vec3<S>) -> Option<(S, Vec3<S>)> {
         let across = ray - self.axis * ray.dot(self.axis);
         let (square, half) = (across.dot(across), across.dot(self.across));
