@@ -1,4 +1,4 @@
-//! A kerchief falls between two pins, drawn in the terminal with letters: `cargo run --example hello`.
+//! A kerchief falls between two pins. Draws it in the terminal with letters: `cargo run --example hello`.
 
 use kerchief::{Cloth, Lines, Node, Q24, Sheet};
 

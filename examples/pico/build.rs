@@ -1,4 +1,4 @@
-//! Tells the linker where `fast.x` is: beside this file, wherever the package was copied to. It takes its code before `link.x` of `cortex-m-rt` takes the rest.
+//! Passes two scripts to the linker. `fast.x`, which is beside this file, comes first: it takes its code before `link.x` of `cortex-m-rt` takes the rest.
 
 fn main() {
     println!("cargo::rerun-if-changed=fast.x");

@@ -1,4 +1,4 @@
-//! Pictures into a GIF with one palette, where each picture holds only what changed.
+//! Writes pictures as a GIF with one palette, where each frame contains only the changed rectangle.
 
 use std::io::Write;
 
@@ -9,19 +9,19 @@ use image::{Rgb, RgbImage};
 /// A GIF has 256 colours; the last one stands for "as before".
 const COLOURS: usize = 255;
 const AS_BEFORE: u8 = 255;
-/// `NeuQuant` learns from every so manyth pixel.
+/// `NeuQuant` samples one pixel in this many.
 const SAMPLED: i32 = 3;
 
 /// Thresholds 0 to 15 of ordered dithering (B. Bayer, *An optimum method for two-level rendition of continuous-tone pictures*, 1973).
 const BAYER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
-/// By how much dithering raises or lowers a component at most: about half the way between neighbouring colours of the palette.
+/// The largest change of a component by dithering: about half the distance between neighbouring colours of the palette.
 const DITHER: u8 = 5;
 
 /// The colours of an animation.
 #[derive(Debug)]
 pub(crate) struct Palette {
     colours: Vec<u8>,
-    /// The nearest colour by the upper 6 bits of red, green and blue.
+    /// The index of the nearest colour, by the upper 6 bits of red, green and blue.
     nearest: Vec<u8>,
 }
 
@@ -37,7 +37,7 @@ impl Palette {
         Self { nearest: (0..1 << 18).map(nearest).collect(), colours: quantizer.color_map_rgb() }
     }
 
-    /// The colour of a pixel, dithered: between two colours of the palette there would be an edge to be seen.
+    /// The index of a pixel's colour, dithered: without it, edges would be visible between two colours of the palette.
     fn index(&self, (x, y, Rgb(components)): (u32, u32, &Rgb<u8>)) -> u8 {
         let threshold = BAYER[(y & 3) as usize][(x & 3) as usize];
         let [red, green, blue] = components
@@ -46,12 +46,12 @@ impl Palette {
     }
 }
 
-/// A GIF being written; it repeats for ever.
+/// A GIF that is being written. It repeats for ever.
 pub(crate) struct Animation<'a, W: Write> {
     encoder: Encoder<W>,
     palette: &'a Palette,
     shown: Vec<u8>,
-    /// Until when pictures should have been shown, and are, in the hundredths of a second that a GIF counts.
+    /// The exact and the rounded sum of all delays, in the hundredths of a second that a GIF counts.
     due: f64,
     given: f64,
 }
@@ -73,7 +73,7 @@ impl<'a, W: Write> Animation<'a, W> {
         let columns = (0..indices.len()).filter(changed).map(|at| at % width);
         let (left, right) = columns.fold((width - 1, 0), |(low, high), x| (low.min(x), high.max(x)));
         let (top, bottom) = rows.fold((picture.height() as usize - 1, 0), |(low, high), y| (low.min(y), high.max(y)));
-        // A picture like the last one still takes its time: it holds one pixel.
+        // A picture equal to the last one still needs a frame for its delay: that frame has one pixel.
         let (right, bottom) = (right.max(left), bottom.max(top));
         let buffer = (top..=bottom)
             .flat_map(|y| (left..=right).map(move |x| y * width + x))

@@ -15,7 +15,7 @@ use console::{scalar_kind, solver_kind};
 /// than a million sheet sizes from the start, or one that left the range of fixed point. What was recorded is written all the same, and the report says
 /// finite: false. A signal ends the program with 128 and the signal's number.
 #[command(name = "simulate", version)]
-// One for each flag.
+// One bool for each flag.
 #[allow(clippy::struct_excessive_bools)]
 pub(crate) struct Args {
     /// A scene file, or a built-in scene: gravity, sphere, wind, no-shear, flag, curtain, drape, heap, fold
@@ -68,13 +68,13 @@ impl Args {
         self.gif || !(self.png || self.obj || self.csv)
     }
 
-    /// Puts what the command line says over what the scene says.
+    /// Overrides the scene with the options of the command line.
     pub(crate) fn override_scene(&self, scene: &mut Description) {
         let solver = &mut scene.solver;
         solver.kind = self.solver.unwrap_or(solver.kind);
         solver.substeps = self.substeps.unwrap_or(solver.substeps);
         if let Some(iterations) = self.iterations {
-            // The file's sweeps would count instead.
+            // The file's sweeps would take precedence.
             (solver.iterations, solver.sweeps) = (iterations, None);
         }
         scene.frames = self.frames.unwrap_or(scene.frames);

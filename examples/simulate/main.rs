@@ -42,7 +42,7 @@ fn run(args: &Args) -> Result<(), Failure> {
     staging::prepare(&args.out)?;
     let draws = args.animation() || args.png;
     let mut album = draws.then(|| Album::new(&scene, &args.out, args.animation(), args.png)).transpose()?;
-    // Before anything is computed, because its place may be taken.
+    // Created before anything is computed: it fails if a directory has this name.
     let mut report_file = Staged::create(&args.out, "report.json")?;
     let mut positions = args.csv.then(|| Positions::create(&args.out)).transpose()?;
     let mut meshes = args.obj.then(|| Meshes::new(&scene, &args.out));

@@ -1,4 +1,4 @@
-//! The sheet as meshes that other programs open: Wavefront OBJ.
+//! The sheet as meshes for other programs: Wavefront OBJ.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -9,7 +9,7 @@ use kerchief::Node;
 use kerchief::host::{Description, Still};
 use kerchief::mesh;
 
-/// A `frame-NNNNN.obj` for each recorded moment: particles with normals and texture coordinates, and the triangles between them; of a chain its line.
+/// A `frame-NNNNN.obj` for each recorded moment: particles with normals and texture coordinates, and the triangles between them; for a chain, a line.
 pub(crate) struct Meshes<'a> {
     scene: &'a Description,
     directory: &'a Path,
@@ -17,7 +17,7 @@ pub(crate) struct Meshes<'a> {
 }
 
 impl<'a> Meshes<'a> {
-    /// No mesh yet, for those of this scene in `directory`.
+    /// No meshes yet. They will be written to `directory`.
     pub(crate) fn new(scene: &'a Description, directory: &'a Path) -> Self {
         Self { scene, directory, files: Vec::new() }
     }
@@ -31,7 +31,7 @@ impl<'a> Meshes<'a> {
         Ok(())
     }
 
-    /// All files, which still stand beside their places.
+    /// All files, which are complete but not yet renamed to their final names.
     pub(crate) fn complete(self) -> Vec<Complete> {
         self.files
     }
@@ -42,7 +42,7 @@ impl<'a> Meshes<'a> {
         for [x, y, z] in positions {
             writeln!(file, "v {x} {y} {z}")?;
         }
-        // the file's origin is the lower left corner
+        // OBJ counts texture coordinates from the lower left corner
         for [across, down] in mesh::texture(columns, rows) {
             writeln!(file, "vt {across} {}", 1.0 - down)?;
         }

@@ -13,21 +13,21 @@ use console::studio::Studio;
 
 /// The side of a picture, pixels.
 const SIDE: u32 = 540;
-/// The shortest time between two pictures of an animation, s: browsers slow down what is faster than 50 a second, and 30 look smooth.
+/// The shortest time between two pictures of an animation, s: browsers slow down animations of more than 50 a second, and 30 look smooth.
 const SPACING: f64 = 1.0 / 30.0;
-/// How long an animation shows its last picture, s.
+/// The time for which an animation shows its last picture, s.
 const LAST: f64 = 1.0;
-/// Pictures that an animation's colours are taken from.
+/// Pictures from which an animation's palette is computed.
 const SAMPLES: usize = 8;
 /// Pictures drawn at once.
 const BATCH: usize = 16;
 
-/// What was recorded of a run. Moments are on the disk, since where the camera stands and which colours an animation has is known at the end only.
+/// The recorded moments of a run. They are stored on the disk, because the camera's place and the animation's palette are known only at the end.
 #[derive(Debug)]
 pub(crate) struct Album<'a> {
     scene: &'a Description,
     directory: &'a Path,
-    /// Whether there will be an animation, and a picture of each moment.
+    /// Whether to write an animation, and whether to write a picture of each moment.
     animation: bool,
     pictures: bool,
     seen: Bounds,
@@ -75,7 +75,7 @@ impl<'a> Album<'a> {
         let studio = Studio::within(self.scene, self.seen, SIDE)?;
         let mut files = Vec::new();
         if self.animation {
-            // ends with the end, be it a little longer than the others before it
+            // the animation ends with the last moment, even if the time before it is a little longer than the others
             let end = self.spool.frames.len() - 1;
             if self.shown.last() != Some(&end) {
                 self.shown.truncate((self.shown.len() - 1).max(1));

@@ -1,4 +1,4 @@
-//! What a run reports: `report.json`, and the same for people.
+//! The report of a run: `report.json`, and the same figures as text.
 
 use std::fmt;
 use std::time::Duration;
@@ -7,7 +7,7 @@ use console::printable;
 use kerchief::host::{Description, Explosion, ScalarKind, Simulation, SolverKind, Strain, Strains};
 use serde::Serialize;
 
-/// A number for each link family; nothing for a family that the scene does not have. What is not finite is `null` in JSON.
+/// A number for each link family; none for a family that the scene does not have. In JSON, `null` marks a number that is infinite or undefined.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub(crate) struct Families {
     stretch: Option<f64>,
@@ -23,7 +23,7 @@ impl Families {
 
     /// Takes the larger of both for each family.
     fn raise(&mut self, other: &Self) {
-        // What was undefined once stays so: it compares with nothing.
+        // An undefined number stays undefined: comparisons with it are false.
         let larger_of = |a: f64, b: f64| if a >= b || a.is_nan() { a } else { b };
         let larger = |a: Option<f64>, b: Option<f64>| a.map_or(b, |a| b.map(|b| larger_of(a, b)));
         self.stretch = larger(self.stretch, other.stretch);
@@ -41,7 +41,7 @@ impl fmt::Display for Families {
     }
 }
 
-/// The result of a run. Strains are largest at frame ends; times are those of the solver alone.
+/// The result of a run. Strains are the largest found at frame ends; times are those of the solver alone.
 #[derive(Debug, Serialize)]
 pub(crate) struct Report {
     scene: String,
@@ -53,22 +53,22 @@ pub(crate) struct Report {
     frames_at_rest: u32,
     substeps: u32,
     iterations: u32,
-    /// Of lines, where the scene says it: then `iterations` don't count.
+    /// The line solver's sweeps, if the scene gives them: then `iterations` has no effect.
     #[serde(skip_serializing_if = "Option::is_none")]
     sweeps: Option<u32>,
     seconds: f64,
     steps_per_second: f64,
     particle_steps_per_second: f64,
-    /// Pairs of particles that met each other at once, at most; of a sheet that meets itself.
+    /// The largest number of pairs of particles in contact at once, for a sheet with self-contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     self_contacts: Option<u32>,
-    /// Pairs of an edge and a triangle that pass through each other: the sum over all frames, where it was asked for.
+    /// Pairs of an edge and a triangle that pass through each other: the sum over all frames, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     self_intersections: Option<u64>,
     max_strain_motion: Families,
     max_strain_end: Families,
     rms_strain_end: f64,
-    /// J; not finite where the number type holds a spring for rigid, since its divisor 1/κ rounds to zero.
+    /// J; not finite where the number type rounds the divisor 1/κ of a spring to zero, so that the spring is rigid.
     energy_start: f64,
     energy_end: f64,
     digest: u32,
@@ -90,7 +90,7 @@ pub(crate) struct Watch {
     energy_start: f64,
     solving: Duration,
     frames: u32,
-    /// In which frame the sheet exploded first, and how. It stays exploded, even if it comes back.
+    /// The first frame in which the sheet exploded, and how. It counts as exploded even if it recovers.
     exploded: Option<(u32, Explosion)>,
 }
 
@@ -112,7 +112,7 @@ impl Watch {
         watch
     }
 
-    /// Takes note of a frame that took this long.
+    /// Records a frame and its computing time.
     pub(crate) fn frame(&mut self, simulation: &dyn Simulation, took: Duration) {
         self.solving += took;
         let rests = simulation.is_at_rest();
@@ -166,7 +166,7 @@ impl Watch {
 }
 
 impl Report {
-    /// When the sheet exploded, how, and where help is.
+    /// A message with the frame and the kind of the explosion, and a link to help.
     pub(crate) fn explosion(&self) -> Option<String> {
         self.exploded.map(|(frame, limit)| format!("exploded in frame {frame}: {limit}; see docs/guide/symptoms.md"))
     }

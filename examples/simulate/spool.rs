@@ -1,4 +1,4 @@
-//! Moments on the disk: a long run has more of them than memory.
+//! Moments on the disk: those of a long run don't fit in memory.
 
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use console::staging;
 use kerchief::host::Still;
 
-/// The bytes of a place.
+/// Bytes of a position.
 const PLACE: usize = 3 * size_of::<f64>();
 
 /// Moments in the order in which they were recorded, all of one scene.
@@ -15,15 +15,15 @@ const PLACE: usize = 3 * size_of::<f64>();
 pub(crate) struct Spool {
     file: File,
     directory: PathBuf,
-    /// The places of a moment, and how many of them are particles.
+    /// The number of positions in a moment, and how many of these are particles; the others are spheres.
     places: usize,
     particles: usize,
-    /// The number of each moment's frame.
+    /// The frame number of each moment.
     pub(crate) frames: Vec<u32>,
 }
 
 impl Spool {
-    /// An empty spool beside the files that are made of it.
+    /// An empty spool, in the directory of the files that are made from it.
     pub(crate) fn new(directory: &Path) -> Result<Self, String> {
         let file = staging::scratch(directory)?;
         Ok(Self { file, directory: directory.to_path_buf(), places: 0, particles: 0, frames: Vec::new() })
@@ -39,7 +39,7 @@ impl Spool {
         Ok(())
     }
 
-    /// The moments of these numbers, counted from 0, each with its frame. Nothing is added any more.
+    /// The moments with these numbers, counted from 0, each with its frame. After this call no moment may be added.
     pub(crate) fn read(&mut self, moments: &[usize]) -> Result<Vec<(u32, Still)>, String> {
         let mut bytes = vec![0; self.places * PLACE];
         let mut stills = Vec::with_capacity(moments.len());

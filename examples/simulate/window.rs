@@ -1,4 +1,4 @@
-//! A live window: SDL's events for the stage, and the stage's pictures for SDL.
+//! A live window: passes SDL's events to the stage, and the stage's pictures to SDL.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::time::Instant;

@@ -29,14 +29,14 @@ use rp2040_hal::gpio::Pins;
 use rp2040_hal::{I2C, Sio, Timer, Watchdog, pac};
 use ssd1306::{I2CDisplayInterface, Ssd1306, prelude::*};
 
-/// What the boot ROM runs first: it makes the flash readable.
+/// The second-stage boot loader, which the boot ROM runs first: it makes the flash readable.
 #[unsafe(link_section = ".boot2")]
 #[unsafe(no_mangle)]
 #[used]
 #[allow(unsafe_code, reason = "a section of its own")]
 static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
-/// Pictures in a second. Of the 50 ms of each, I2C takes 24 to send it.
+/// Pictures a second. Of the 50 ms of each, I2C takes 24 to send the picture.
 const RATE: u32 = 20;
 /// 13 × 9 particles of 2 g each, 1.2 m × 0.8 m, four substeps a picture.
 const SHEET: Sheet<Q13, 13, 9> = Sheet::new([1.2, 0.8], 0.002, 1.0 / RATE as f64, 4);

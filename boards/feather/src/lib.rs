@@ -1,4 +1,4 @@
-//! What the number types run, and the clock that they run against. The race knows no board: a host runs the same, to the last bit.
+//! A race of number types, and the clock that measures it. The race does not depend on the board: a host runs it with the same results, to the last bit.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -1,5 +1,5 @@
-//! Floating point on the FPU against fixed point, on a board with an STM32F405 (Adafruit Feather STM32F405 Express, boards of `WeAct` and their kin). The table comes over
-//! the serial port.
+//! Floating point on the FPU against fixed point, on a board with an STM32F405 (Adafruit Feather STM32F405 Express, boards of `WeAct` and similar ones). The board prints the
+//! table on the serial port.
 //!
 //! | serial adapter, 3.3 V | STM32F405 |
 //! |---|---|
@@ -13,7 +13,7 @@
 //! cd boards/feather && cargo run --release           # in QEMU too, as .cargo/config.toml says; there you name your probe
 //! ```
 //!
-//! `SysTick` counts: in QEMU executed instructions, on a board cycles of its 16 MHz. Don't compare one with the other: an instruction takes a cycle or more.
+//! `SysTick` counts executed instructions in QEMU, and cycles of 16 MHz on a board. Don't compare one with the other: an instruction takes a cycle or more.
 #![no_std]
 #![no_main]
 
@@ -61,7 +61,7 @@ fn main() -> ! {
         let _ = write!(serial, "A sheet of {SIDE} x {SIDE} swings down from two corners in {FRAMES} frames.\r\n\r\n");
         let _ = write!(serial, "| number | solver            | a frame      | strain   | digest   |\r\n");
         let _ = write!(serial, "|--------|-------------------|-------------:|---------:|----------|\r\n");
-        // a chip says that its oscillator is ready, QEMU's never does
+        // a chip reports that its oscillator is ready, QEMU never does
         let frequency = if chip.RCC.cr().read().hsirdy().bit() { Clock::CYCLES } else { EMULATED };
         let mut table = Table { clock: Clock::new(core.SYST, frequency), serial };
         race::race(&mut table);

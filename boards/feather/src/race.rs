@@ -1,4 +1,4 @@
-//! What the number types run: a sheet of 16 × 16 that swings down from two corners, by two solvers.
+//! The race: a sheet of 16 × 16 swings down from two corners, in every number type and by two solvers.
 
 use kerchief::{Lines, Node, Q13, Q24, Scalar, Sheet, Solver, Xpbd, measure};
 
@@ -12,31 +12,31 @@ const fn sheet<S: Scalar>(substeps: u32) -> Sheet<S, SIDE, SIDE> {
     Sheet::new([10.0, 10.0], 1.0, 1.0 / 60.0, substeps)
 }
 
-/// Who takes the time.
+/// Measures frames and takes the results.
 pub trait Judge {
-    /// Runs a frame, and says what it cost.
+    /// Runs a frame. Returns its cost: instructions or cycles.
     fn frame(&mut self, frame: impl FnOnce()) -> u64;
 
     /// Takes a result.
     fn result(&mut self, result: Result);
 }
 
-/// How a solver did in a number type.
+/// The result of a solver in a number type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Result {
     /// The number type.
     pub number: &'static str,
     /// The solver and its substeps.
     pub solver: &'static str,
-    /// What a frame cost, on average.
+    /// The mean cost of a frame, in the judge's unit.
     pub cost: u64,
     /// The largest strain of a stretch link at the end of any frame, in hundredths of a percent.
     pub strain: i32,
-    /// Of the sheet after the last frame.
+    /// The digest of the sheet after the last frame.
     pub digest: u32,
 }
 
-/// Lets every number type run.
+/// Runs the race in every number type.
 pub fn race(judge: &mut impl Judge) {
     by_both::<f32>(judge);
     by_both::<Q24>(judge);

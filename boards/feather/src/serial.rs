@@ -1,10 +1,10 @@
-//! The serial port, to write on. (The HAL would wait for a clock that the emulator lacks: the chip runs on the 16 MHz that it starts with.)
+//! The serial port, for output. (The HAL would wait for a clock that the emulator lacks. So the chip keeps the 16 MHz that it starts with.)
 
 use core::fmt;
 
 use stm32f4::stm32f405::{GPIOA, RCC, USART1};
 
-/// Cycles of a bit: 16 MHz for 115 200 baud.
+/// Cycles of a bit: 16 MHz at 115 200 baud.
 const BIT: u16 = 139;
 
 /// `USART1` on PA9.

@@ -19,14 +19,14 @@ impl Board {
         let chip = Peripherals::take()?;
         let (port, timer) = (chip.GPIO, chip.TIMER0);
         port.dirset.write(|w| unsafe { w.bits(PINS) });
-        // 16 MHz by 2⁴ in 32 bits
+        // 16 MHz divided by 2⁴, 32 bits
         timer.prescaler.write(|w| unsafe { w.bits(4) });
         timer.bitmode.write(|w| unsafe { w.bits(3) });
         timer.tasks_start.write(|w| unsafe { w.bits(1) });
         Some(Self { port, timer })
     }
 
-    /// Microseconds since the start, of which 32 bits are kept.
+    /// Microseconds since the start, modulo 2³².
     pub(crate) fn micros(&self) -> u32 {
         self.timer.tasks_capture[0].write(|w| unsafe { w.bits(1) });
         self.timer.cc[0].read().bits()
@@ -37,7 +37,7 @@ impl Board {
         self.port.out.write(|w| unsafe { w.bits(pins) });
     }
 
-    /// Which buttons are held.
+    /// Whether each button is pressed.
     pub(crate) fn buttons(&self) -> [bool; 2] {
         let pins = self.port.in_.read().bits();
         BUTTONS.map(|pin| pins >> pin & 1 == 0)

@@ -1,4 +1,4 @@
-//! What the LEDs show. Nothing here knows the board: a host plays the same, to the last bit.
+//! The flag and its picture on the LEDs. Nothing here depends on the board: a host computes the same, to the last bit.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -1,6 +1,6 @@
 //! A flag of 8 × 8 particles on the 25 LEDs of a BBC micro:bit v1, in 16 KB of RAM. Button A calms the wind, button B makes it stronger.
 //!
-//! Everything is on the board: rows of LEDs at P0.13 to P0.15, columns at P0.04 to P0.12, buttons at P0.17 (A) and P0.26 (B).
+//! No wiring is needed: rows of LEDs at P0.13 to P0.15, columns at P0.04 to P0.12, buttons at P0.17 (A) and P0.26 (B).
 //!
 //! ![the LEDs in the emulator](../../../docs/microbit.png)
 //!
@@ -9,7 +9,7 @@
 //! cd boards/microbit && cargo run --release          # on a micro:bit, whose USB port is a probe
 //! ```
 //!
-//! A step is a 60th of a second: it is computed, then its picture is shown for the rest of that time, in passes of 0.8 ms for each row of wires. The log goes
+//! A step is a 60th of a second. It is computed; then its picture is shown for the rest of that time, in passes of 0.8 ms for each row of wires. The log is sent
 //! through RTT.
 #![no_std]
 #![no_main]
@@ -29,7 +29,7 @@ use static_cell::StaticCell;
 
 /// Steps between two lines of the log.
 const LOGGED: u32 = 60;
-/// How long a pass lights a row of wires, µs.
+/// The time for which a pass lights a row of wires, µs.
 const SLOT: u32 = 800;
 
 static SHOW: StaticCell<Show> = StaticCell::new();
@@ -60,7 +60,7 @@ fn main() -> ! {
             }
         }
         board.write(0);
-        // what is late is late: the flag then moves more slowly
+        // lost time is not made up for: the flag then moves more slowly
         if board.micros().wrapping_sub(next) < 1 << 31 {
             late += 1;
             next = board.micros();
@@ -73,7 +73,7 @@ fn main() -> ! {
     }
 }
 
-/// Where an emulator stops to look at the LEDs.
+/// An emulator stops here to read the LEDs.
 #[inline(never)]
 extern "C" fn shown(step: u32) {
     core::hint::black_box(step);

@@ -1,4 +1,4 @@
-//! What the LEDs show: a flag of 8 × 8 particles, brighter where it blows towards the viewer.
+//! The flag of 8 × 8 particles and its picture on the LEDs, brighter where it blows towards the viewer.
 
 use kerchief::scene::Only;
 use kerchief::solver::Stateless;
@@ -13,19 +13,19 @@ pub const RATE: u32 = 60;
 
 /// A flag of 7 m × 7 m.
 const SHEET: Sheet<Q13, SIDE, SIDE> = Sheet::new([7.0, 7.0], 0.2, 1.0 / RATE as f64, 1);
-/// The strongest wind, by the buttons.
+/// The strongest wind that the buttons set.
 const STRONGEST: u32 = 3;
 
 type Forces = (Gravity<Q13>, PanelWind<Q13>);
 type Springs = (Stretch<Q13>, Shear<Q13>);
 
-/// The flag and what moves it.
+/// The flag, its scene and the wind.
 #[derive(Debug)]
 pub struct Show {
     /// The flag.
     pub cloth: Cloth<Q13, SIDE, SIDE>,
     scene: Scene<Forces, Springs, (), Xpbd, Only<Q13, SIDE, SIDE>>,
-    /// How strongly it blows: 0 is calm.
+    /// The strength of the wind in units of 3 m/s: 0 is calm.
     wind: u32,
     /// Steps since the start.
     step: u32,
@@ -41,24 +41,24 @@ impl Show {
         Self { cloth, scene: SHEET.scene(forces, links, (), Xpbd::new()), wind: 2, step: 0 }
     }
 
-    /// More wind, or less.
+    /// Makes the wind stronger or weaker.
     pub fn press(&mut self, more: bool) {
         self.wind = if more { (self.wind + 1).min(STRONGEST) } else { self.wind.saturating_sub(1) };
     }
 
-    /// A step.
+    /// Advances the flag by a step.
     pub fn step(&mut self) {
-        /// 3 m/s, 2⁻²⁴ cells per tick.
+        /// 3 m/s, in 2⁻²⁴ cells per tick.
         const UNIT: i32 = (SHEET.units.velocity([3.0, 0.0, 0.0]).0[0] * (1 << 24) as f64) as i32;
         self.step += 1;
         let strength = UNIT * self.wind as i32;
-        // it turns from side to side
+        // the wind turns from side to side
         let aside = (strength >> 6) * swing(self.step);
         self.scene.forces.1.wind = Vec3::new(Q13::from_bits(strength), Q13::from_bits(aside), Q13::ZERO);
         self.scene.step(&mut self.cloth, &mut Stateless::new());
     }
 
-    /// How bright each LED is: the depth of the cloth before it, dark where there is none. Row 0 is the upper one.
+    /// The brightness of each LED: the depth of the cloth in front of it, dark where there is none. Row 0 is the top row.
     pub fn picture(&self) -> [[u32; LEDS]; LEDS] {
         let mut sums = [[(0, 0); LEDS]; LEDS];
         for place in self.cloth.position.values() {
@@ -70,7 +70,7 @@ impl Show {
                 *count += 1;
             }
         }
-        // half as bright in the plane of the pole; a cell nearer or further is a level
+        // half as bright in the plane of the pole; a cell nearer or further changes the brightness by 1
         let level = |(depth, count): (i32, i32)| {
             if count == 0 {
                 0

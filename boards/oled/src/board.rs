@@ -1,4 +1,4 @@
-//! The LM3S6965 evaluation board, as far as the OLED and the joystick need it. No kept crate knows this chip: these are its registers.
+//! The LM3S6965 evaluation board, as far as the OLED and the joystick need it. No maintained crate supports this chip, so registers are written by address.
 
 use core::convert::Infallible;
 
@@ -17,7 +17,7 @@ const PORT_C: u32 = 0x4000_6000;
 const PORT_D: u32 = 0x4000_7000;
 const PORT_E: u32 = 0x4002_4000;
 
-/// The registers. They are the same on every chip of this kind, and what reading or writing one of them does has nothing to do with memory.
+/// The registers. They are the same on every chip of this kind. Reading or writing one of them does not affect Rust's memory.
 #[allow(unsafe_code, reason = "a register is a number that is made an address")]
 mod register {
     pub(super) fn read(address: u32) -> u32 {
@@ -44,27 +44,27 @@ pub(crate) struct Board {
 impl Board {
     /// Starts the clock and the pins.
     pub(crate) fn start() -> Self {
-        // the crystal of 8 MHz and the loop of 400 MHz, divided by 2 and 4; once the loop has settled it is the clock
+        // the crystal of 8 MHz and the phase-locked loop of 400 MHz, divided by 2 and 4; it becomes the clock once it has settled
         const LOOP: u32 = 0x0380 | 3 << 23 | 1 << 22;
         write(SYSTEM + 0x060, LOOP | 1 << 11);
         while read(SYSTEM + 0x050) & 1 << 6 == 0 {}
         write(SYSTEM + 0x060, LOOP);
-        // SSI0; ports A, C, D, E
+        // enable SSI0 and ports A, C, D, E
         write(SYSTEM + 0x104, 1 << 4);
         write(SYSTEM + 0x108, 0b1_1101);
         cortex_m::asm::delay(3);
-        // clock and data are the interface's, its frame signal would end with every byte
+        // clock and data belong to the interface; its frame signal is unused, because it would end with every byte
         write(PORT_A + 0x420, 1 << 2 | 1 << 5);
         write(PORT_A + 0x51c, 1 << 2 | 1 << 5);
         let select = Pin::output(PORT_A, 3);
         let data = Pin::output(PORT_C, 7);
-        // low, this pin would select the memory card
+        // high: low, this pin would select the memory card
         Pin::output(PORT_D, 0).write(true);
         Self { spi: Ssi::start(), select, data, joystick: Joystick::start() }
     }
 }
 
-/// An output.
+/// An output pin.
 pub(crate) struct Pin {
     port: u32,
     mask: u32,
@@ -79,7 +79,7 @@ impl Pin {
         Self { port, mask }
     }
 
-    /// The address holds a mask of the pins that are written.
+    /// The address contains a mask of the pins that are written.
     fn write(&mut self, high: bool) {
         write(self.port + (self.mask << 2), if high { self.mask } else { 0 });
     }
@@ -111,7 +111,7 @@ const RECEIVED: u32 = 1 << 2;
 const BUSY: u32 = 1 << 4;
 
 impl Ssi {
-    /// 8 bits, clock high at rest, at 50 MHz/14: the display takes up to 4 MHz.
+    /// Starts it with 8 bits, a clock that is high when idle, and 50 MHz/14: the display takes up to 4 MHz.
     fn start() -> Self {
         write(SSI + 0x10, 14);
         write(SSI, 1 << 6 | 7);
@@ -133,7 +133,7 @@ impl SpiBus for Ssi {
         for word in words {
             while read(STATUS) & NOT_FULL == 0 {}
             write(DATA, u32::from(*word));
-            // what comes back would fill the receiver, and stop the sender
+            // received bytes would fill the receiver, and stop the sender
             if read(STATUS) & RECEIVED != 0 {
                 read(DATA);
             }
@@ -169,7 +169,7 @@ impl SpiBus for Ssi {
 
 /// The joystick's four directions, low while pressed.
 pub(crate) struct Joystick {
-    /// Directions that were once seen released: one that is held from the start on is not meant, or not connected.
+    /// Directions that were seen released once. One that is low from the start is pressed by accident or not connected.
     seen: u32,
 }
 
@@ -187,7 +187,7 @@ impl Joystick {
         Self { seen: 0 }
     }
 
-    /// Where it is held.
+    /// The direction in which it is pressed.
     pub(crate) fn read(&mut self) -> Stick {
         let released = read(PORT_E + ((UP | DOWN | LEFT | RIGHT) << 2));
         self.seen |= released;

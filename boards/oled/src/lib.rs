@@ -1,4 +1,4 @@
-//! What the OLED shows. Nothing here knows the board: a host plays the same, to the last bit.
+//! The curtain and its picture on the OLED. Nothing here depends on the board: a host computes the same, to the last bit.
 #![no_std]
 #![forbid(unsafe_code)]
 

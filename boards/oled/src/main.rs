@@ -18,8 +18,8 @@
 //! cd boards/oled && cargo run --release              # in QEMU with a window
 //! ```
 //!
-//! A step is a 30th of a second. Where pictures take longer, two steps are made up between them and the rest is dropped. At rest there is neither a step nor a
-//! byte for the display: the processor sleeps. The log goes through RTT.
+//! A step is a 30th of a second. Where pictures take longer, up to two steps are made between them and the rest is dropped. At rest no step is computed and no
+//! byte is sent to the display: the processor sleeps. The log is sent through RTT.
 #![no_std]
 #![no_main]
 
@@ -63,7 +63,7 @@ fn main() -> ! {
     let Ok(mut display) = Ssd0323::new(spi, board.data);
     let mut show = Show::new(ROOM.take());
     let canvas = CANVAS.init_with(|| Canvas::new(Picture::new()));
-    // what a display shows at first is anything
+    // at first a display shows random pixels
     let Ok(()) = canvas.clear(Gray4::BLACK);
     let clock = Clock::start(peripherals.SYST, FREQUENCY / RATE);
     let mut pace = Pace::new(2);

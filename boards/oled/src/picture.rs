@@ -1,4 +1,4 @@
-//! The picture in the display's own form: two pixels a byte, the left one in the upper half.
+//! The picture in the display's format: two pixels a byte, the left one in the upper half.
 
 use core::convert::Infallible;
 
@@ -15,7 +15,7 @@ use crate::show::SCREEN;
 /// Bytes of a row.
 pub const ROW: usize = SCREEN.width as usize / 2;
 
-/// A picture of 128 × 64 pixels: what fills rows sets bytes, not pixels.
+/// A picture of 128 × 64 pixels. Parts of rows are filled byte by byte, not pixel by pixel.
 #[derive(Debug)]
 pub struct Picture {
     bytes: [[u8; ROW]; SCREEN.height as usize],

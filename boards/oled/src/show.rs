@@ -1,4 +1,4 @@
-//! What the OLED shows: a curtain in folds, and gravity that a joystick tilts.
+//! The show on the OLED: a curtain in folds, and gravity that a joystick tilts.
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
@@ -24,13 +24,13 @@ const VIEW: View = {
     let corners = [SHEET.units.point([-5.41, -0.5, -6.3]), SHEET.units.point([5.41, 0.5, 0.1])];
     View::new(0.0, 6.0).fit(corners[0], corners[1], SCREEN)
 };
-/// Slower than 2 cm/s for a second, it rests.
+/// The curtain rests when it has been slower than 2 cm/s for a second.
 const STILL: Stillness = Stillness { speed: 0.02, acceleration: 0.02, time: 1.0 };
-/// The rings of a fold, of five columns: how far each is from the one before along the rod, and how far out of line, in the distance of columns.
-/// Columns keep their distance.
+/// The rings of a fold, of five columns: the distance of each from the one before along the rod, and its distance out of line, in units of the columns' distance.
+/// Neighbouring columns stay a unit apart.
 const FOLD: [[f64; 2]; 5] =
     [[0.76286, 0.32328], [0.97984, 0.52308], [0.85228, 0.00000], [0.85228, -0.52308], [0.97984, -0.32328]];
-/// From the middle of the curtain to its first ring.
+/// The distance from the middle of the curtain to its first ring.
 const HALF: f64 = 6.64065;
 
 type Forces = (Gravity<Q13>, Drag<Q13>);
@@ -38,7 +38,7 @@ type Mover = Resting<Lines>;
 type Springs = (Stretch<Q13>, Shear<Q13>);
 type Memory = <Mover as Solver<Q13>>::Memory<Springs, SIDE, SIDE>;
 
-/// Where the curtain is, and what its solver remembers: too much for the stack of a board, which has it in a `static`.
+/// The state of the curtain and of its solver. It is too large for the stack of a board, which keeps it in a `static`.
 #[derive(Debug)]
 pub struct Room {
     cloth: Cloth<Q13, SIDE, SIDE>,
@@ -46,7 +46,7 @@ pub struct Room {
 }
 
 impl Room {
-    /// Before the curtain is hung.
+    /// The state before the curtain is hung.
     pub const BLANK: Self = Self { cloth: Cloth::BLANK, memory: Memory::new(LinesMemory::BLANK) };
 }
 
@@ -65,7 +65,7 @@ impl Pattern for Fabric {
     }
 }
 
-/// Cloth under a lamp on the left that leaves the folds' other side dark.
+/// Cloth under a lamp on the left, so that the right side of each fold is dark.
 const LOOK: Look<Fabric, Fabric> = {
     let lamp = Light::new(-58.0, 18.0);
     let light = Light {
@@ -80,33 +80,33 @@ const LOOK: Look<Fabric, Fabric> = {
 
 const ROD: Rgb888 = Rgb888::new(150, 150, 150);
 
-/// Where the joystick is held: to the right, and away from the viewer.
+/// The direction in which the joystick is pressed: to the right, and away from the viewer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stick {
     /// 1 to the right, −1 to the left.
     pub right: i32,
-    /// 1 away from the viewer, −1 towards him.
+    /// 1 away from the viewer, −1 towards the viewer.
     pub away: i32,
 }
 
-/// The curtain, what moves it and how it is drawn.
+/// The curtain, its scene and its picture.
 #[derive(Debug)]
 pub struct Show<'a> {
     /// The curtain.
     pub cloth: &'a mut Cloth<Q13, SIDE, SIDE>,
     scene: Scene<Forces, Springs, (), Mover, Only<Q13, SIDE, SIDE>>,
     memory: &'a mut Memory,
-    /// How far gravity is tilted, in parts of `STEEPEST`.
+    /// The tilt of gravity, in parts of `STEEPEST`.
     tilt: Stick,
     shaded: Shaded<Look<Fabric, Fabric>, SIDE, SIDE>,
     camera: Camera<Q13>,
 }
 
-/// The horizontal part of gravity at most, in 32nds of its vertical part.
+/// The largest horizontal component of gravity, in 32nds of its vertical component.
 const STEEPEST: i32 = 16;
 
 impl<'a> Show<'a> {
-    /// The curtain has just been drawn to the side: it still swings.
+    /// A curtain that has just been drawn to the side and still swings.
     pub fn new(Room { cloth, memory }: &'a mut Room) -> Self {
         cloth.hang_here(&SHEET.units, SHEET.units.point([-6.0, 0.0, 0.0]));
         gather(cloth);
@@ -123,7 +123,7 @@ impl<'a> Show<'a> {
         }
     }
 
-    /// A step; nothing where the curtain rests and the joystick too. Says whether there is something new to see.
+    /// Advances by a step. While both the curtain and the joystick rest, it does nothing. Returns whether the picture may have changed.
     #[inline]
     pub fn step(&mut self, stick: Stick) -> bool {
         let before = self.tilt;
@@ -143,7 +143,7 @@ impl<'a> Show<'a> {
         measure::largest_strain(self.cloth, &self.scene.links.0)
     }
 
-    /// Draws what is behind the curtain: its rod.
+    /// Draws the rod behind the curtain.
     pub fn draw_rod<D: DrawTarget<Color: Shade>>(&self, target: &mut D) -> Result<(), D::Error> {
         let ends = [-5.5, 5.5].map(|x| self.camera.project(SHEET.units.point([x, 0.0, 0.09]).to_vec()));
         let [Some(left), Some(right)] = ends else { return Ok(()) };
@@ -156,7 +156,7 @@ impl<'a> Show<'a> {
     }
 }
 
-/// Tilts by one part: towards where the stick is held, or back.
+/// Tilts by one part: towards the joystick's direction, or back.
 fn towards(tilt: i32, stick: i32) -> i32 {
     tilt + (stick.signum() * STEEPEST - tilt).signum()
 }

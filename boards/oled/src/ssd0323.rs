@@ -1,4 +1,4 @@
-//! The SSD0323, a controller of OLEDs in 16 greys, on `embedded-hal`: two pixels a byte, the left one in the upper half.
+//! The SSD0323, a controller of OLEDs in 16 greys, by `embedded-hal`: two pixels a byte, the left one in the upper half.
 
 use core::convert::Infallible;
 
@@ -10,7 +10,7 @@ use embedded_hal::spi::SpiDevice;
 use oled::picture::ROW;
 use oled::show::SCREEN;
 
-/// Commands and their parameters, after a reset.
+/// The commands after a reset, with their parameters.
 const START: [&[u8]; 17] = [
     &[0xae],                                              // off
     &[0x81, 50],                                          // contrast
@@ -48,7 +48,7 @@ impl<S: SpiDevice, P: OutputPin<Error = Infallible>> Ssd0323<S, P> {
         Ok(display)
     }
 
-    /// Sends a part of a picture in the display's own form, whole bytes.
+    /// Sends an area of a picture in the display's format, in whole bytes.
     pub(crate) fn send(&mut self, picture: &[u8], area: &Rectangle) -> Result<(), S::Error> {
         let area = area.intersection(&Rectangle::new(Point::zero(), SCREEN));
         let Some(end) = area.bottom_right() else { return Ok(()) };

@@ -1,4 +1,4 @@
-//! The processor's own timer: it counts steps, and cycles within them.
+//! The processor's timer `SysTick`: it counts steps, and cycles within a step.
 
 use core::sync::atomic::{AtomicU32, Ordering};
 
@@ -11,7 +11,7 @@ static STEPS: AtomicU32 = AtomicU32::new(0);
 
 #[exception]
 fn SysTick() {
-    // the only writer: a Cortex-M0 has no addition in one go
+    // load and store, as a Cortex-M0 has no atomic addition: nothing else writes
     STEPS.store(STEPS.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
 }
 
@@ -22,7 +22,7 @@ pub(crate) struct Clock {
 }
 
 impl Clock {
-    /// Starts to count steps of so many cycles, at most 2²⁴.
+    /// Starts counting steps of `period` cycles, at most 2²⁴.
     pub(crate) fn start(mut timer: SYST, period: u32) -> Self {
         timer.set_clock_source(SystClkSource::Core);
         timer.set_reload(period - 1);
@@ -32,7 +32,7 @@ impl Clock {
         Self { period }
     }
 
-    /// Steps since the start. Sleeps until there is another one than `last`.
+    /// Sleeps until the number of steps since the start differs from `last`. Returns that number.
     #[allow(clippy::unused_self, reason = "only a clock that was started counts")]
     pub(crate) fn wait(&self, last: u32) -> u32 {
         loop {
@@ -44,13 +44,13 @@ impl Clock {
         }
     }
 
-    /// Cycles since the start, of which 32 bits are kept.
+    /// Cycles since the start, modulo 2³².
     pub(crate) fn cycles(&self) -> u32 {
         loop {
             let steps = STEPS.load(Ordering::Relaxed);
             let left = SYST::get_current();
             if steps == STEPS.load(Ordering::Relaxed) {
-                // a step begins where the counter is zero, a cycle before it starts anew
+                // a step begins when the counter reaches zero, a cycle before it is reloaded
                 let gone = if left == 0 { 0 } else { self.period - left };
                 return steps.wrapping_mul(self.period).wrapping_add(gone);
             }

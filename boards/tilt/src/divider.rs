@@ -1,7 +1,7 @@
 //! Divisions by the chip's divider.
 //!
-//! Where a Cortex-M0+ has no instruction, compilers call these routines, and their own take hundreds of cycles. (The HAL has such ones, too, among others that call the boot
-//! ROM, which an emulator lacks.)
+//! A Cortex-M0+ has no instruction for division. Compilers call these routines, and their own versions take hundreds of cycles. (The HAL has such routines, too, but
+//! together with others that call the boot ROM, which an emulator lacks.)
 #![allow(
     unsafe_code,
     reason = "compilers know these routines by their names, and the divider's registers belong to no one else"
@@ -12,7 +12,7 @@ use rp2040_hal::pac::SIO;
 /// `dividend / divisor`, towards zero; −1 or 1 for a divisor of zero, which Rust never asks for.
 #[unsafe(no_mangle)]
 extern "C" fn __aeabi_idiv(dividend: i32, divisor: i32) -> i32 {
-    // an interrupt that divides would take the divider away
+    // an interrupt that divides would overwrite the divider's registers
     cortex_m::interrupt::free(|_| {
         let sio = unsafe { SIO::steal() };
         sio.div_sdividend().write(|w| unsafe { w.bits(dividend as u32) });

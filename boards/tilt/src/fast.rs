@@ -1,9 +1,9 @@
-//! Copies the code that `fast.x` puts into RAM.
+//! Copies the code that `fast.x` places in RAM.
 #![allow(unsafe_code, reason = "nothing written in Rust may run before RAM holds what it should")]
 
 use core::arch::global_asm;
 
-// `cortex-m-rt` calls it before it initialises statics; r0 to r3 are free
+// `cortex-m-rt` calls this before it initialises statics; r0 to r3 may be overwritten
 global_asm!(
     ".section .text.__pre_init, \"ax\"",
     ".global __pre_init",

@@ -1,4 +1,4 @@
-//! The LCD: `mipidsi` starts it, rows of the picture go to it by DMA while the processor does something else.
+//! The LCD. `mipidsi` starts it; then DMA sends rows of the picture while the processor computes.
 
 use core::convert::Infallible;
 
@@ -28,7 +28,7 @@ pub(crate) struct Lcd<P: ValidSpiPinout<SPI1>, C, D> {
 enum Link<P: ValidSpiPinout<SPI1>> {
     Idle(Channel<CH0>, Bus<P>),
     Busy(Transfer<Channel<CH0>, Part, Bus<P>>),
-    /// While it changes from one to the other.
+    /// Between one and the other.
     Changing,
 }
 
@@ -39,7 +39,7 @@ struct Part {
     count: usize,
 }
 
-// The rows live forever, nobody else has them, and what is read of them does not change while this has them.
+// SAFETY: the rows are static, this is their only reference, and nothing changes them while the transfer owns it.
 #[allow(unsafe_code, reason = "an address for the DMA controller")]
 unsafe impl ReadBuffer for Part {
     type Word = u16;
@@ -60,7 +60,7 @@ impl<P: ValidSpiPinout<SPI1>, C: OutputPin<Error = Infallible>, D: OutputPin<Err
         Self { link: Link::Idle(channel, bus), select, data }
     }
 
-    /// Begins to send the rows of a picture that an area touches, and takes the picture's pixels until they have gone.
+    /// Starts sending the rows of a picture that an area touches. The picture's pixels are lent until they are sent.
     pub(crate) fn send(&mut self, picture: &Picture, area: &Rectangle) -> Result<(), Infallible> {
         self.finish(picture);
         let (Some(end), Some(rows)) = (area.bottom_right(), picture.lend()) else { return Ok(()) };
@@ -74,7 +74,7 @@ impl<P: ValidSpiPinout<SPI1>, C: OutputPin<Error = Infallible>, D: OutputPin<Err
         Ok(())
     }
 
-    /// Waits until what was sent has gone, gives the picture its pixels back, and says whether anything was sent.
+    /// Waits for the end of the transfer and gives the picture its pixels back. Returns whether there was a transfer.
     pub(crate) fn finish(&mut self, picture: &Picture) -> bool {
         match core::mem::replace(&mut self.link, Link::Changing) {
             Link::Busy(transfer) => {
@@ -92,7 +92,7 @@ impl<P: ValidSpiPinout<SPI1>, C: OutputPin<Error = Infallible>, D: OutputPin<Err
         }
     }
 
-    /// A command is the lower half of a frame; the upper half is no operation.
+    /// Sends a command and its parameters. The command is the lower half of a frame of 16 bits; the upper half, zero, is no operation.
     fn command(&mut self, bus: &mut Bus<P>, command: u16, parameters: &[u16]) -> Result<(), Infallible> {
         SpiBus::flush(bus)?;
         let Ok(()) = self.data.set_low();

@@ -1,4 +1,4 @@
-//! What the round LCD shows. Nothing here knows the board: a host plays the same, to the last bit.
+//! The kerchief and its picture on the round LCD. Nothing here depends on the board: a host computes the same, to the last bit.
 #![no_std]
 #![forbid(unsafe_code)]
 

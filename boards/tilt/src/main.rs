@@ -1,6 +1,6 @@
 //! A kerchief between four pegs, on the Waveshare RP2040-LCD-1.28: gravity follows the hand. Tilt the board and the kerchief falls that way; shake it and it flies.
 //!
-//! On the board, so that nothing is wired: an RP2040 with 2 MB of flash, a round LCD of 240 × 240 pixels (GC9A01), an accelerometer and gyroscope (QMI8658), a charger
+//! Everything is on the board, and no wiring is needed: an RP2040 with 2 MB of flash, a round LCD of 240 × 240 pixels (GC9A01), an accelerometer and gyroscope (QMI8658), a charger
 //! for a lithium cell, USB-C.
 //!
 //! | LCD (GC9A01) | RP2040 |
@@ -24,12 +24,12 @@
 //! cd boards/tilt && cargo run --release              # on the board with a probe
 //! ```
 //!
-//! `rp2040-hal` because the chip's clocks, DMA and I2C are set up here in a few lines, and `embedded-hal` between it and the drivers: `mipidsi` starts the LCD, `qmi8658.rs`
-//! has the sensor.
+//! `rp2040-hal` sets up the chip's clocks, DMA and I2C in a few lines. The drivers use it through `embedded-hal`: `mipidsi` starts the LCD, `qmi8658.rs` reads the sensor.
 //!
-//! The chip runs at 200 MHz, its bus to the display at 50. A step is a 60th of a second, and each has a picture. Before each the sensor is read: gravity is what it feels, turned
-//! round. While a picture goes to the display by DMA, the next step is computed, by code that was copied to RAM (`fast.x`). At rest there is neither a step nor a byte for the
-//! display: the processor sleeps, and looks at the sensor ten times a second. Without a sensor the log says so, and gravity stays the display's. The log goes through RTT.
+//! The chip runs at 200 MHz, its bus to the display at 50. A step is a 60th of a second, and each has a picture. Before each step the sensor is read: gravity is opposite to
+//! the force that it measures. While DMA sends a picture to the display, the next step is computed, by code that was copied to RAM (`fast.x`). At rest no step is computed and
+//! no byte is sent to the display: the processor sleeps, and reads the sensor ten times a second. Without a sensor the log says so, and gravity points down the display. The
+//! log is sent through RTT.
 #![no_std]
 #![no_main]
 
@@ -75,18 +75,18 @@ use static_cell::{ConstStaticCell, StaticCell};
 use tilt::picture::{BLACK, Picture, Rows};
 use tilt::show::{RATE, SCREEN, Show};
 
-/// What the boot ROM runs first: it makes the flash readable.
+/// The second-stage boot loader, which the boot ROM runs first: it makes the flash readable.
 #[unsafe(link_section = ".boot2")]
 #[unsafe(no_mangle)]
 #[used]
 #[allow(unsafe_code, reason = "a section of its own")]
 static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
-/// Of the bus to the display, Hz.
+/// The frequency of the bus to the display, Hz.
 const BUS: u32 = 50_000_000;
-/// Of the bus to the sensor, Hz.
+/// The frequency of the bus to the sensor, Hz.
 const SENSOR_BUS: u32 = 400_000;
-/// Steps between two pictures, at most; what is later is dropped.
+/// The most steps between two pictures; further steps are dropped.
 const MOST: u32 = 2;
 /// Steps between two lines of the log.
 const LOGGED: u32 = 60;
@@ -117,7 +117,7 @@ fn main() -> ! {
         .display_size(SCREEN.width as u16, SCREEN.height as u16)
         .invert_colors(ColorInversion::Inverted)
         .color_order(ColorOrder::Bgr)
-        // as the maker's programs for this board set it
+        // as the manufacturer's programs for this board set it
         .orientation(Orientation::new().flip_vertical())
         .reset_pin(pins.gpio12.into_push_pull_output())
         .init(&mut timer);
@@ -126,7 +126,7 @@ fn main() -> ! {
     }
     drop(display);
 
-    // from here on frames have 16 bits
+    // from here on, frames of the bus have 16 bits
     let (interface, wires) = spi.disable().free();
     let spi = Spi::<_, _, _, 16>::new(interface, wires);
     let spi = spi.init(&mut chip.RESETS, clocks.peripheral_clock.freq(), BUS.Hz(), MODE_3);
@@ -139,7 +139,7 @@ fn main() -> ! {
 
     let show = SHOW.init_with(Show::new);
     let canvas = &mut Canvas::new(Picture::new(ROWS.take()));
-    // what a display shows at first is anything
+    // at first a display shows random pixels
     let Ok(()) = canvas.clear(Rgb565::BLACK);
     let frequency = clocks.system_clock.freq().to_Hz();
     let clock = Clock::start(core.SYST, frequency / RATE);
@@ -159,9 +159,9 @@ fn main() -> ! {
             changed |= show.step();
         }
         let simulated = clock.cycles();
-        // the last picture has had all this time to get to the display
+        // the last picture was sent while the step was computed
         if lcd.finish(canvas.buffer()) {
-            // no sooner is there anything to see
+            // the backlight is switched on with the first picture
             let Ok(()) = light.set_high();
             shown(step);
         }
@@ -184,11 +184,11 @@ fn main() -> ! {
     }
 }
 
-/// What the hand does, as far as the sensor says it.
+/// The motion of the hand, measured by the sensor.
 struct Hand<I> {
-    /// None where none answered at the start.
+    /// None if no sensor answered at the start.
     sensor: Option<Qmi8658<I>>,
-    /// Whether it answered when it was asked last.
+    /// Whether it answered when it was last read.
     answers: bool,
 }
 
@@ -201,7 +201,7 @@ impl<I: I2c> Hand<I> {
         Self { answers: sensor.is_some(), sensor }
     }
 
-    /// Lets the show feel what the sensor does. Where it does not answer, gravity stays as it is.
+    /// Passes the sensor's force to the show. If the sensor does not answer, gravity stays as it is.
     fn move_show(&mut self, show: &mut Show) {
         let Some(sensor) = &mut self.sensor else { return };
         let force = sensor.force();
@@ -215,8 +215,8 @@ impl<I: I2c> Hand<I> {
     }
 }
 
-/// From the sensor's axes to the display's: right, away from the viewer, up. The sensor is on the back: its z points away from the viewer, its x down and its y to the left, as programs
-/// of others for this board take it. Nobody has held this program in his hand: if the kerchief falls elsewhere, change it here.
+/// From the sensor's axes to the display's: right, away from the viewer, up. The sensor is on the back: its z points away from the viewer, its x down and its y to the left,
+/// as other programs for this board assume. This program has not been tried on a real board: if the kerchief falls in another direction, change the axes here.
 const fn turned([x, y, z]: [i32; 3]) -> [i32; 3] {
     [-y, z, -x]
 }

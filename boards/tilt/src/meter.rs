@@ -1,4 +1,4 @@
-//! Where the time of a picture goes.
+//! Cycles of the stages of a picture.
 
 use core::convert::Infallible;
 
@@ -9,23 +9,23 @@ use embedded_graphics::primitives::Rectangle;
 
 use crate::clock::Clock;
 
-/// Cycles of the parts of a picture, summed over pictures.
+/// Cycles of each stage, summed over pictures.
 #[derive(Debug, Default)]
 pub(crate) struct Meter {
-    /// The sheet is moved.
+    /// Moving the sheet.
     pub(crate) simulate: u32,
-    /// Faces are put in order.
+    /// Sorting faces.
     pub(crate) sort: u32,
-    /// The last picture is erased, faces are lit and filled.
+    /// Erasing the last picture, lighting and filling faces.
     pub(crate) fill: u32,
-    /// The picture goes to the display.
+    /// Sending the picture to the display.
     pub(crate) transfer: u32,
     /// Pictures since the last line of the log.
     pub(crate) pictures: u32,
 }
 
 impl Meter {
-    /// Adds a picture, by the cycles at its start, when the sheet was moved, when it was drawn and when it was sent, and those for which faces were put in order.
+    /// Adds a picture: the clock's cycles at its start, after moving the sheet, after drawing and after sending, and the cycles of sorting faces.
     pub(crate) fn add(&mut self, [start, simulated, drawn, sent]: [u32; 4], sort: u32) {
         self.simulate += simulated.wrapping_sub(start);
         self.sort += sort;
@@ -34,12 +34,12 @@ impl Meter {
         self.pictures += 1;
     }
 
-    /// Pictures in a second of `frequency` cycles, since `gone` cycles.
+    /// Pictures a second over the last `gone` cycles, at `frequency` Hz.
     pub(crate) fn rate(&self, frequency: u32, gone: u32) -> u32 {
         ((u64::from(self.pictures) * u64::from(frequency) + u64::from(gone / 2)) / u64::from(gone.max(1))) as u32
     }
 
-    /// Logs the means, and starts anew. `rate` is of pictures, in a second.
+    /// Logs the means and resets all sums. `rate` is in pictures a second.
     pub(crate) fn log(&mut self, step: u32, rate: u32, dropped: u32, digest: u32) {
         let Self { simulate, sort, fill, transfer, pictures } = core::mem::take(self);
         let mean = |cycles: u32| cycles / pictures.max(1);
@@ -58,16 +58,16 @@ impl Meter {
     }
 }
 
-/// A target that notes when something is drawn on it for the first time: before that, faces are put in order.
+/// A target that records when it is first drawn on. Until then, faces are sorted.
 pub(crate) struct Lap<'a, D> {
     target: &'a mut D,
     clock: &'a Clock,
-    /// Cycles at the first drawing.
+    /// The clock's cycles at the first drawing.
     first: Option<u32>,
 }
 
 impl<'a, D> Lap<'a, D> {
-    /// Draws on a target, and says for how many cycles faces were put in order.
+    /// Draws on a target. Returns the cycles of sorting faces.
     pub(crate) fn time(
         target: &'a mut D,
         clock: &'a Clock,
@@ -116,7 +116,7 @@ impl<D: DrawTarget<Error = Infallible>> DrawTarget for Lap<'_, D> {
     }
 }
 
-/// Where an emulator stops to look at the display.
+/// An emulator stops here to read the display.
 #[inline(never)]
 pub(crate) extern "C" fn shown(step: u32) {
     core::hint::black_box(step);

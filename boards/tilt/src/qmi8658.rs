@@ -4,22 +4,22 @@
 
 use embedded_hal::i2c::I2c;
 
-/// What the chip is called by, with its pin SA0 high or low.
+/// The chip's I2C address, with its pin SA0 high or low.
 const ADDRESSES: [u8; 2] = [0x6b, 0x6a];
 
 const WHO_AM_I: u8 = 0x00;
-/// What it answers.
+/// The value of that register.
 const IDENTITY: u8 = 0x05;
-/// Its six bytes are the axes x, y, z, the lower byte first.
+/// The first of six registers: the axes x, y, z, the lower byte first.
 const ACCELERATION: u8 = 0x35;
 
-/// Registers and what is written there.
+/// Registers and their values.
 const SETTINGS: [[u8; 2]; 4] = [
-    // CTRL1: the address goes on by itself, the lower byte comes first
+    // CTRL1: the register's address increments by itself, the lower byte comes first
     [0x02, 0x40],
     // CTRL2: ±8 g, 125 readings a second
     [0x03, 0x26],
-    // CTRL5: its own filter, a low pass at 13 % of that
+    // CTRL5: the chip's low-pass filter, at 13 % of that rate
     [0x06, 0x07],
     // CTRL7: the accelerometer, and nothing else
     [0x08, 0x01],
@@ -32,9 +32,9 @@ pub(crate) struct Qmi8658<I> {
 }
 
 impl<I: I2c> Qmi8658<I> {
-    /// Starts the sensor: an error if there is none.
+    /// Starts the sensor. Returns an error if there is none.
     ///
-    /// Its settings come before the question what it is: after a read, `rp2040-hal` 0.12 takes the read's end for that of the next write, and drops the latter.
+    /// The settings are written before the identity is read: after a read, `rp2040-hal` 0.12 takes the end of that read for the end of the next write, and drops the write.
     pub(crate) fn start(bus: I) -> Result<Self, NoSensor> {
         let mut sensor = Self { bus, address: 0 };
         for address in ADDRESSES {
@@ -47,7 +47,7 @@ impl<I: I2c> Qmi8658<I> {
         Err(NoSensor)
     }
 
-    /// What it feels along its axes, in 4096ths of a weight. At rest that points up.
+    /// The specific force along its axes, in 4096ths of the acceleration of gravity. At rest it points up.
     pub(crate) fn force(&mut self) -> Result<[i32; 3], NoSensor> {
         let [x, x_high, y, y_high, z, z_high] = self.read(ACCELERATION)?;
         Ok([[x, x_high], [y, y_high], [z, z_high]].map(|bytes| i32::from(i16::from_le_bytes(bytes))))
@@ -60,5 +60,5 @@ impl<I: I2c> Qmi8658<I> {
     }
 }
 
-/// Nothing answers, or something else.
+/// No chip answers, or another chip does.
 pub(crate) struct NoSensor;

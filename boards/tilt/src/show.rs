@@ -1,4 +1,4 @@
-//! What the round LCD shows: a kerchief between four pegs, which feels what the hand does.
+//! The show on the round LCD: a kerchief between four pegs, which feels the force of the hand.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
@@ -15,14 +15,14 @@ use kerchief::{
 const SIDE: usize = 9;
 /// Steps in a second.
 pub const RATE: u32 = 60;
-/// The display's memory. What is seen of it is the disk that touches its sides.
+/// The display's memory. Only the disk that touches its sides is visible.
 pub const SCREEN: Size = Size::new(240, 240);
-/// A weight, as the sensor says it.
+/// The acceleration of gravity, in the sensor's unit.
 pub const WEIGHT: i32 = 4096;
 
-/// Substeps of a step. With two of them rows are strained too much where the hand shakes it, and substeps are split into more than these.
+/// Substeps of a step. With two, rows are strained too much when the hand shakes the board, and substeps are split into more parts than these.
 const SUBSTEPS: u32 = 3;
-/// Eight sweeps at most, found by shaking on a host: with fewer rows are strained by more than 3 %.
+/// Eight sweeps at most, found by simulated shaking on a host: with fewer, rows are strained by more than 3 %.
 const LINES: Lines = Lines { most_sweeps: 8, ..Lines::with_sweeps(1) };
 /// kg/m²
 const DENSITY: f64 = 0.1;
@@ -30,20 +30,20 @@ const DENSITY: f64 = 0.1;
 const LENGTH: f64 = 0.3;
 const MASS: f64 = DENSITY * LENGTH * LENGTH / (SIDE * SIDE) as f64;
 const SHEET: Sheet<Q13, SIDE, SIDE> = Sheet::new([LENGTH, LENGTH], MASS, 1.0 / RATE as f64, SUBSTEPS);
-/// Pegs are nearer to each other than the kerchief is long. At first its threads go along the display by the first part of their length, and away from it by the second.
+/// Pegs are nearer to each other than the kerchief is long. At first a thread of length 1 extends along the display by the first number, and away from it by the second.
 const SLOPE: [f64; 2] = [0.8, 0.6];
-/// From the middle of the pegs, 0.66 m away: with threads of 0.3 m pegs are then inside of the disk.
+/// The camera is 0.66 m from the middle of the pegs: with threads of 0.3 m the pegs are then inside the disk.
 const VIEW: View = View::new(0.0, 0.0).at(SHEET.units.point([0.0; 3]), SHEET.units.length(0.66));
 /// N/m
 const STRETCH: f64 = 4e3;
 const SHEAR: f64 = 6.0;
-/// What the air takes of a velocity, 1/s: the kerchief comes to rest some seconds after the hand.
+/// Drag, 1/s: the kerchief comes to rest some seconds after the hand.
 const DRAG: f64 = 6.0;
-/// What moves by less than ten pixels a second, and gets no further than a pixel in that time, rests.
+/// The kerchief rests when it moves by less than ten pixels a second, and by no more than a pixel in that time.
 const STILL: Stillness = Stillness { speed: 0.015, acceleration: 0.015, time: 1.0 };
-/// How far a feeling may be from the sensor's, along each axis: a hundredth of a weight. A sensor at rest trembles by less.
+/// The largest difference between the felt force and the sensor's, along each axis: a hundredth of gravity. The noise of a sensor at rest is smaller.
 const PLAY: i32 = WEIGHT / 100;
-/// At rest it is attentive in one of so many steps.
+/// At rest the sensor is read once in so many steps.
 const DROWSE: u32 = RATE / 10;
 
 type Forces = (Gravity<Q13>, Drag<Q13>);
@@ -66,24 +66,24 @@ const LOOK: Look<Weave, Weave> = {
     Look::new(light, Border { width: Width::cells(1), tone: RED, inner: gingham })
 };
 
-/// What is behind, at the top and at the bottom.
+/// The colours of the background, at the top and at the bottom.
 const BACK: [Rgb888; 2] = [Rgb888::new(38, 52, 72), Rgb888::new(92, 112, 128)];
 const BRASS: Rgb888 = Rgb888::new(222, 190, 110);
-/// Pixels across a peg.
+/// A peg's diameter, pixels.
 const PEG: u32 = 9;
 const CORNERS: [Node; 4] =
     [Node::new(0, 0), Node::new(SIDE - 1, 0), Node::new(0, SIDE - 1), Node::new(SIDE - 1, SIDE - 1)];
 
-/// A kerchief, what moves it and how it is drawn.
+/// A kerchief, its scene and its picture.
 #[derive(Debug)]
 pub struct Show {
     /// The kerchief.
     pub cloth: Fabric,
     scene: Scene<Forces, Springs, (), Mover, Only<Q13, SIDE, SIDE>>,
     memory: <Mover as Solver<Q13>>::Memory<Springs, SIDE, SIDE>,
-    /// The velocity that a weight gains in a substep.
+    /// The velocity change by gravity in a substep.
     weight: Q13,
-    /// What is felt, in parts of [`WEIGHT`]: to the right, away from the viewer, up. At rest it points up.
+    /// The felt force, in parts of [`WEIGHT`]: to the right, away from the viewer, up. At rest it points up.
     felt: [i32; 3],
     /// Steps since the start.
     step: u32,
@@ -110,23 +110,23 @@ impl Show {
         }
     }
 
-    /// Whether the next step wants to feel something before: each one does while the kerchief moves, ten in a second while it rests.
+    /// Whether [`feel`](Self::feel) should be called before the next step: before each one while the kerchief moves, ten times a second while it rests.
     pub fn is_attentive(&self) -> bool {
         !self.memory.is_at_rest() || self.step % DROWSE == 0
     }
 
-    /// Feels a force that holds a weight, in parts of [`WEIGHT`]: to the right, away from the viewer, up. Gravity is its opposite, on a board that is shaken, too. What is felt follows the
-    /// force with some [play](PLAY): it is as smooth as the force is, and a sensor that trembles wakes nobody.
+    /// Takes the force that the sensor measures, in parts of [`WEIGHT`]: to the right, away from the viewer, up. Gravity is its opposite, on a shaken board, too. The felt
+    /// force follows with some [play](PLAY): it is as smooth as the measured force, and the noise of a sensor does not wake the kerchief.
     pub fn feel(&mut self, force: [i32; 3]) {
         for (felt, force) in self.felt.iter_mut().zip(force) {
             *felt = (*felt).clamp(force - PLAY, force + PLAY);
         }
-        // eight weights, as much as the sensor says, fit 32 bits so
+        // with these shifts, eight times gravity, the sensor's range, fits 32 bits
         let [x, y, z] = self.felt.map(|felt| Q13::from_bits(-felt * (self.weight.to_bits() >> 8) / (WEIGHT >> 8)));
         self.scene.forces.0.gain = Vec3::new(x, y, z);
     }
 
-    /// A step; nothing where the kerchief rests. Says whether there is something new to see.
+    /// Advances by a step. While the kerchief rests, it does nothing. Returns whether the picture may have changed.
     #[inline(never)]
     pub fn step(&mut self) -> bool {
         let rested = self.memory.is_at_rest();
@@ -135,12 +135,12 @@ impl Show {
         !(rested && self.memory.is_at_rest())
     }
 
-    /// How far the most strained of the stretch links is strained.
+    /// The largest strain of a stretch link.
     pub fn strain(&self) -> Q13 {
         measure::largest_strain(&self.cloth, &self.scene.links.0)
     }
 
-    /// Draws all that is behind the kerchief where it is seen on a target.
+    /// Draws the background on the area of a target.
     #[inline(never)]
     pub fn draw_back<D: DrawTarget<Color: Shade>>(&self, target: &mut D) -> Result<(), D::Error> {
         let area = target.bounding_box();
@@ -170,7 +170,7 @@ impl Show {
     }
 }
 
-/// A pyramid with its tip away from the viewer, whose threads are as long as at rest.
+/// A pyramid with its tip away from the viewer, whose threads have their rest lengths.
 fn pyramid() -> Fabric {
     let mut cloth = SHEET.hang([0.0; 3]);
     let side = Q13::from_f64(SHEET.units.sides[0]);

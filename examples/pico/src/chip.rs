@@ -16,7 +16,7 @@ const CRYSTAL: u32 = 12_000_000;
 /// 12 MHz · 100 / 6.
 const FAST: PLLConfig = PLLConfig { vco_freq: HertzU32::MHz(1200), refdiv: 1, post_div1: 6, post_div2: 1 };
 
-/// Cycles of the crystal in which the voltage rises: a millisecond.
+/// The time in which the voltage rises: a millisecond, in cycles of the crystal.
 const RISE: u32 = CRYSTAL / 1000;
 
 /// Raises the voltage and starts the clocks.

@@ -1,4 +1,4 @@
-//! What the Pico's LCD shows. Nothing here knows the board: a host plays the same, to the last bit.
+//! The sheets and their picture on the Pico's LCD. Nothing here depends on the board: a host computes the same, to the last bit.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -1,4 +1,4 @@
-//! A flag in gusts of wind, on a Raspberry Pi Pico with an LCD. The button goes on to a flag in a steady breeze, and to a cloth on two corners in calm air.
+//! A flag in gusts of wind, on a Raspberry Pi Pico with an LCD. The button changes to a flag in a steady breeze, and then to a cloth on two corners in calm air.
 //!
 //! | LCD (ST7789, 240 × 240) | Pico |
 //! |---|---|
@@ -27,8 +27,9 @@
 //! cp -r examples/pico my-flag && cp memory.x my-flag
 //! ```
 //!
-//! The chip runs at 200 MHz, its bus to the display at 50. A step is a 60th of a second, and each has a picture. While a picture goes to the display by DMA, the next
-//! step is computed, by code that was copied to RAM (`fast.x`). At rest there is neither a step nor a byte for the display: the processor sleeps. The log goes through RTT.
+//! The chip runs at 200 MHz, its bus to the display at 50. A step is a 60th of a second, and each has a picture. While DMA sends a picture to the display,
+//! the next step is computed, by code that was copied to RAM (`fast.x`). At rest no step is computed and no byte is sent to the display: the processor sleeps. The log is
+//! sent through RTT.
 #![no_std]
 #![no_main]
 
@@ -71,16 +72,16 @@ use rp2040_hal::pac::{CorePeripherals, Peripherals};
 use rp2040_hal::{Sio, Spi, Timer, Watchdog};
 use static_cell::{ConstStaticCell, StaticCell};
 
-/// What the boot ROM runs first: it makes the flash readable.
+/// The second-stage boot loader, which the boot ROM runs first: it makes the flash readable.
 #[unsafe(link_section = ".boot2")]
 #[unsafe(no_mangle)]
 #[used]
 #[allow(unsafe_code, reason = "a section of its own")]
 static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
-/// Of the bus to the display, Hz.
+/// The frequency of the bus to the display, Hz.
 const BUS: u32 = 50_000_000;
-/// By how many steps the show may be late; what is later is dropped.
+/// The most steps by which the show may be late; further steps are dropped.
 const SLACK: u32 = 6;
 /// Steps between two lines of the log.
 const LOGGED: u32 = 60;
@@ -118,7 +119,7 @@ fn main() -> ! {
     }
     drop(display);
 
-    // from here on frames have 16 bits
+    // from here on, frames of the bus have 16 bits
     let (interface, wires) = spi.disable().free();
     let spi = Spi::<_, _, _, 16>::new(interface, wires);
     let spi = spi.init(&mut chip.RESETS, clocks.peripheral_clock.freq(), BUS.Hz(), MODE_3);
@@ -127,7 +128,7 @@ fn main() -> ! {
 
     let show = SHOW.init_with(Show::new);
     let canvas = &mut Canvas::new(Picture::new(ROWS.take()));
-    // what a display shows at first is anything
+    // at first a display shows random pixels
     let Ok(()) = canvas.clear(Rgb565::BLACK);
     let frequency = clocks.system_clock.freq().to_Hz();
     let clock = Clock::start(core.SYST, frequency / RATE);
@@ -136,7 +137,7 @@ fn main() -> ! {
     let (mut now, mut step, mut first, mut pressed) = (0, 0, true, false);
     let mut logged = clock.cycles();
     loop {
-        // a step that takes longer than its time is made up for by the next ones
+        // the next steps make up for a step that takes longer than its time
         now = clock.wait(now).saturating_sub(SLACK).max(now + 1);
         let start = clock.cycles();
         let Ok(down) = button.is_low();
@@ -148,9 +149,9 @@ fn main() -> ! {
         let due = pace.due(now);
         let changed = (0..due).fold(first || is_press, |changed, _| show.step() || changed);
         let simulated = clock.cycles();
-        // the last picture has had all this time to get to the display
+        // the last picture was sent while the step was computed
         if lcd.finish(canvas.buffer()) {
-            // no sooner is there anything to see
+            // the backlight is switched on with the first picture
             let Ok(()) = light.set_high();
             shown(step);
         }
@@ -175,7 +176,7 @@ fn main() -> ! {
             let rate = meter.rate(frequency, gone);
             meter.log(step, rate, pace.dropped, measure::digest(&show.cloth));
             show.note(rate, frequency / 1_000_000);
-            // the backdrop is drawn there too, next time
+            // so that the next picture draws the backdrop there, too
             let Ok(()) = canvas.fill_solid(&NOTE, Rgb565::BLACK);
         }
     }

@@ -1,4 +1,4 @@
-//! The picture as the display wants it: 16 bits a pixel.
+//! The picture in the display's format: 16 bits a pixel.
 
 use core::cell::Cell;
 use core::convert::Infallible;
@@ -23,9 +23,9 @@ pub const BLACK: Rows = [[0; WIDTH]; HEIGHT];
 /// The pixels, 115 200 bytes.
 pub type Rows = [[u16; WIDTH]; HEIGHT];
 
-/// A picture of 240 × 240 pixels, which no stack would hold.
+/// A picture of 240 × 240 pixels, too large for the stack.
 ///
-/// Its pixels may be lent. Meanwhile there is nothing to see, and what is drawn is lost.
+/// Its pixels may be lent. Meanwhile no pixel can be read, and drawing has no effect.
 #[allow(missing_debug_implementations, reason = "it would print 57 600 numbers")]
 pub struct Picture {
     rows: Cell<Option<&'static mut Rows>>,
@@ -42,21 +42,21 @@ impl Picture {
         self.rows.take()
     }
 
-    /// Takes pixels that were lent.
+    /// Takes back pixels that were lent.
     pub fn give_back(&self, rows: &'static mut Rows) {
         self.rows.set(Some(rows));
     }
 }
 
-/// Writes as many pixels as there are colours, and no more colours than there are pixels.
-#[inline(never)] // what goes from pixel to pixel fits the registers of a Cortex-M0 when nothing else has to
+/// Writes colours to pixels, until there are no more of either.
+#[inline(never)] // alone, the loop's variables fit the registers of a Cortex-M0
 fn write(pixels: &mut [u16], colors: impl Iterator<Item = Rgb565>) {
     for (pixel, color) in pixels.iter_mut().zip(colors) {
         *pixel = RawU16::from(color).into_inner();
     }
 }
 
-/// The same pixel everywhere, four at a time.
+/// Writes one colour to all pixels, four at a time.
 #[inline]
 fn fill(pixels: &mut [u16], color: u16) {
     let mut fours = pixels.chunks_exact_mut(4);
@@ -101,7 +101,7 @@ impl DrawTarget for Picture {
         let mut colors = colors.into_iter();
         let columns = area.top_left.x as usize..(area.top_left.x as usize).wrapping_add(area.size.width as usize);
         if area.size.height == 1 {
-            // a part of a row within the picture, as faces consist of
+            // a part of a row within the picture: faces are drawn as such parts
             let row = self.rows.get_mut().as_mut().and_then(|all| all.get_mut(area.top_left.y as usize));
             if let Some(part) = row.and_then(|row| row.get_mut(columns)) {
                 write(part, colors);
@@ -119,7 +119,7 @@ impl DrawTarget for Picture {
         let color = RawU16::from(color).into_inner();
         let end = area.top_left + area.size;
         if area.size.height == 1 {
-            // a part of a row within the picture, as faces consist of
+            // a part of a row within the picture: faces are drawn as such parts
             let row = all.get_mut(area.top_left.y as usize);
             if let Some(part) = row.and_then(|row| row.get_mut(area.top_left.x as usize..end.x as usize)) {
                 fill(part, color);

@@ -1,4 +1,4 @@
-//! What the LCD shows: a flag before the sky, in gusts or in a steady breeze, and a cloth on two corners that comes to rest.
+//! The show on the LCD: a flag before the sky, in gusts or in a steady breeze, and a cloth on two corners that comes to rest.
 
 use core::fmt::Write;
 
@@ -26,13 +26,13 @@ pub const RATE: u32 = 60;
 /// The display.
 pub const SCREEN: Size = Size::new(240, 240);
 
-/// Substeps of a step, found by playing gusts on a host: with fewer they strain the flag by more than 2 %.
+/// Substeps of a step, found by simulating gusts on a host: with fewer, gusts strain the flag by more than 2 %.
 const SUBSTEPS: u32 = 4;
-/// Two sweeps at most, so that no gust slows pictures down.
+/// Two sweeps at most, so that no gust delays a picture.
 const LINES: Lines = Lines { most_sweeps: 2, ..Lines::with_sweeps(1).within(0.04) };
 /// kg/m²
 const DENSITY: f64 = 0.1;
-/// m, down the pole and along the flag. Row 0 is at the pole: links between particles of mass 1 cost less, and only this row has others.
+/// m, down the pole and along the flag. Row 0 is at the pole: links between particles of mass 1 cost less, and only this row has other masses.
 const SIZE: [f64; 2] = [0.6, 0.9];
 const MASS: f64 = DENSITY * SIZE[0] * SIZE[1] / (ROW * ROWS) as f64;
 const SHEET: Sheet<Q13, ROW, ROWS> = Sheet::new(SIZE, MASS, 1.0 / RATE as f64, SUBSTEPS);
@@ -40,17 +40,17 @@ const VIEW: View = {
     let corners = [SHEET.units.point([-0.08, -0.2, -0.91]), SHEET.units.point([0.9, 0.2, 0.04])];
     View::new(12.0, -3.0).fit(corners[0], corners[1], SCREEN)
 };
-/// What moves by less than four pixels a second, and gets no further than a pixel in two seconds, rests.
+/// A sheet rests when it moves by less than four pixels a second, and by no more than a pixel in two seconds.
 const STILL: Stillness = Stillness { speed: 0.02, acceleration: 0.02, time: 2.0 };
-/// A 96th of 1 m/s, 2⁻²⁴ cells per tick.
+/// A 96th of 1 m/s, in 2⁻²⁴ cells per tick.
 const BREATH: i32 = (SHEET.units.velocity([1.0, 0.0, 0.0]).0[0] * (1 << 24) as f64 / 96.0) as i32;
 
-/// Steps in which the wind rises.
+/// Steps in which the wind rises at the start.
 const RISE: u32 = RATE / 2;
 
 /// Air at rest.
 const CALM: PanelFlow = SHEET.units.panel_wind([0.0; 3], 1.2, 1.2);
-/// The same, in which a cloth comes to rest soon.
+/// Air at rest with a large drag, in which a cloth soon comes to rest.
 const THICK: PanelFlow = SHEET.units.panel_wind([0.0; 3], 1.2, 40.0);
 
 type Forces = (Gravity<Q13>, PanelWind<Q13>);
@@ -84,14 +84,14 @@ const LOOK: Look<Bands, Bands> = {
     Look::new(light, Bands)
 };
 
-/// What is played. The button goes from one to the next.
+/// A scene of the show. The button changes to the next one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Play {
     /// A flag in wind that swells and turns.
     Gusts,
     /// A flag in wind that hardly changes.
     Breeze,
-    /// A cloth in folds that is let go on two corners, in calm air.
+    /// A cloth in folds, let go on two corners in calm air.
     Corners,
 }
 
@@ -104,7 +104,7 @@ impl Play {
         }
     }
 
-    /// The velocity of the wind after so many steps.
+    /// The velocity of the wind after `step` steps.
     fn wind(self, step: u32) -> Vec3<Q13> {
         let phase = step / 2;
         let [along, across, up] = match self {
@@ -116,7 +116,7 @@ impl Play {
             Self::Breeze => [480, wave(phase * 4) / 4, wave(phase * 3) / 8],
             Self::Corners => [0; 3],
         };
-        // in 96ths of a metre a second; it rises at first, since a flat flag would snap
+        // in 96ths of a metre a second; the wind rises at first, because a flat flag would snap taut
         let risen = step.min(RISE) as i32;
         let [x, y, z] = [along, across, up].map(|speed| Q13::from_bits(speed * risen / RISE as i32 * BREATH));
         Vec3::new(x, y, z)
@@ -125,16 +125,16 @@ impl Play {
 
 /// The sky at the top and at the bottom.
 const SKY: [Rgb888; 2] = [Rgb888::new(84, 142, 190), Rgb888::new(236, 226, 206)];
-/// The pole from its left to its right, the rail from its top down.
+/// The colours of the pole from left to right, and of the rail from top to bottom.
 const POLE: [Rgb888; 4] =
     [Rgb888::new(206, 196, 178), Rgb888::new(238, 232, 220), Rgb888::new(150, 138, 122), Rgb888::new(96, 88, 80)];
 const INK: Rgb888 = Rgb888::new(244, 248, 252);
-/// In two lines.
+/// The most letters of the note, in two lines.
 const LETTERS: usize = 80;
-/// Where the note stands.
+/// The area of the note.
 pub const NOTE: Rectangle = Rectangle::new(Point::new(8, 4), Size::new(32 * 7, 2 * 13));
 
-/// A sheet, what moves it and how it is drawn.
+/// A sheet, its scene and its picture.
 #[derive(Debug)]
 pub struct Show {
     /// The flag or the cloth.
@@ -144,11 +144,11 @@ pub struct Show {
     play: Play,
     /// Steps since the play's start.
     step: u32,
-    /// The largest strain since then.
+    /// The largest strain since the play's start.
     largest: Q13,
     shaded: Shaded<Look<Bands, Bands>, ROW, ROWS, 1, Gouraud<Rgb565, 3, ROW, ROWS>>,
     camera: Camera<Q13>,
-    /// Where the sheet's upper corners were at first, pixels.
+    /// The sheet's upper corners at the start, pixels.
     corners: [Point; 2],
     note: String<LETTERS>,
 }
@@ -175,7 +175,7 @@ impl Show {
         }
     }
 
-    /// The next play, from its start.
+    /// Changes to the next play, from its start.
     #[inline(never)]
     pub fn press(&mut self) {
         self.play = self.play.next();
@@ -188,7 +188,7 @@ impl Show {
         self.largest = Q13::ZERO;
     }
 
-    /// A step; nothing where the sheet rests. Says whether there is something new to see.
+    /// Advances by a step. While the sheet rests, it does nothing. Returns whether the picture may have changed.
     #[inline(never)]
     pub fn step(&mut self) -> bool {
         self.scene.forces.1.wind = self.play.wind(self.step);
@@ -202,7 +202,7 @@ impl Show {
         !rests
     }
 
-    /// How far the most strained of the [stretch](Self::stretch) links is strained.
+    /// The largest strain of a [stretch](Self::stretch) link.
     #[inline(never)]
     pub fn strain(&self) -> Q13 {
         measure::largest_strain(&self.cloth, self.stretch())
@@ -213,18 +213,18 @@ impl Show {
         &self.scene.links.0
     }
 
-    /// Notes on the display how many pictures there are in a second, at how many MHz, and the largest [strain](Self::strain) of any step of the play. The note
-    /// appears where [`NOTE`] is drawn anew.
+    /// Writes the note: pictures a second, the frequency in MHz, and the largest [strain](Self::strain) of any step of the play. It appears when the area [`NOTE`] is
+    /// drawn again.
     #[inline(never)]
     pub fn note(&mut self, rate: u32, frequency: u32) {
         let strain = self.largest.round_times(1000);
         self.note.clear();
-        // there is room for numbers of any size
+        // the space is enough for numbers of any size
         let _ =
             write!(self.note, "{rate} pictures/s at {frequency} MHz\nstrain up to {}.{} %", strain / 10, strain % 10);
     }
 
-    /// Draws all that is behind the sheet where it is seen on a target.
+    /// Draws the background on the area of a target: the sky, the pole or the rail, and the note.
     #[inline(never)]
     pub fn draw_sky<D: DrawTarget<Color: Shade>>(&self, target: &mut D) -> Result<(), D::Error> {
         let area = target.bounding_box();
@@ -274,7 +274,7 @@ fn flag() -> Fabric {
 
 /// A cloth in upright folds, pinned at its upper corners.
 fn folds() -> Fabric {
-    /// How far out of line folds are, and how far apart their edges are along the rail: they keep their distance.
+    /// How far out of line the folds are, and how far apart their edges are along the rail. Neighbouring edges stay a unit apart.
     const FOLD: [f64; 2] = [0.5, 0.866_025];
     let [out, along] = FOLD.map(Q13::from_f64);
     let mut cloth = spread(|row| [Q13::ONE + along.times(row as i32), out.times([0, 1, 0, -1][row % 4])]);
@@ -282,11 +282,11 @@ fn folds() -> Fabric {
     cloth
 }
 
-/// An upright sheet. `place` says where each of its rows is, from the pole and out of line, in the distance of rows.
+/// An upright sheet. `place` gives the position of each row, from the pole and out of line, in units of the rows' distance.
 fn spread(place: impl Fn(usize) -> [Q13; 2]) -> Fabric {
     let mut cloth = SHEET.hang([0.0; 3]);
     let side = Q13::from_f64(SHEET.units.sides[1]);
-    // row 0 last: it says how far down the columns are
+    // row 0 last: its x gives how far down each column is
     for row in (0..ROWS).rev() {
         let [along, out] = place(row);
         for column in 0..ROW {
@@ -298,7 +298,7 @@ fn spread(place: impl Fn(usize) -> [Q13; 2]) -> Fabric {
     cloth
 }
 
-/// The pixels of the upper corners.
+/// The upper corners, pixels.
 fn corners(cloth: &Fabric, camera: &Camera<Q13>) -> [Point; 2] {
     [0, ROWS - 1].map(|row| camera.project(cloth.position.at(Node::new(0, row))).unwrap_or_default())
 }
