@@ -1,4 +1,4 @@
-// Mouse, touch and keys.
+// Tests of mouse, touch and keys.
 import assert from 'node:assert/strict';
 import { eye, frame, held, moved, place, play, query, spot } from './look.mjs';
 
