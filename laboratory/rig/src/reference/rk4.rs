@@ -3,8 +3,8 @@
 use super::vector::{Vector, add, dot, scale, sub};
 use super::{Ode, State};
 
-/// RK4 is stable for every decaying or oscillating motion exp(s·t) as long as |s|·h is below this: the radius of the
-/// largest half disc in its stability region.
+/// RK4 is stable for every decaying or oscillating motion exp(s·t) as long as |s|·h is below this: the radius of a
+/// half disc within its stability region.
 const STABLE_RADIUS: f64 = 2.6;
 
 /// The number of times that `solve` halves its first step before it gives up.
