@@ -6,7 +6,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`settings`] | the settings of a sheet |
-//! | [`parts`] | forces, links and obstacles of a scene |
+//! | [`parts`] | forces, links and colliders of a scene |
 //! | [`frequency`] | the sheet's highest frequency, which limits explicit solvers |
 //! | [`play`] | a sheet in motion, of any number type, solver and grid |
 //! | [`likeness`] | its copy in `f64`: measures, explosions, pictures |

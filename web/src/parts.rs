@@ -37,17 +37,17 @@ pub type Obstacles<S> = (Option<Sphere<S>>, Plane<S>);
 
 /// The angle of folds between neighbouring cells at which bend springs are as stiff as the fabric, rad.
 const FOLD: f64 = 0.5;
-/// The ball's radius, and how far particles keep from it, m.
+/// The ball's radius, and the margin at which particles keep from it, m.
 pub const BALL: f64 = 0.15;
 const BALL_MARGIN: f64 = 0.012;
 const BALL_FRICTION: f64 = 0.3;
-/// How far particles keep from the floor, m.
+/// The margin at which particles keep from the floor, m.
 const FLOOR_MARGIN: f64 = 0.004;
 const FLOOR_FRICTION: f64 = 0.5;
-/// kg/m³, and the drag coefficient of a plate.
+/// Density of air, kg/m³, and the drag coefficient of a plate.
 const AIR: f64 = 1.2;
 const PLATE: f64 = 1.2;
-/// The hand's force grows up to this distance (m) and to so many weights of the sheet; its damping (N·s/m).
+/// The hand: the distance up to which its force grows (m), its largest force (weights of the sheet), its damping (N·s/m).
 const REACH: f64 = 0.15;
 const WEIGHTS: f64 = 4.0;
 const GRIP: f64 = 0.3;

@@ -104,21 +104,21 @@ pub struct Settings {
     pub substeps: u32,
     /// Sweeps in a substep, of solvers that have them; Newton steps of backward Euler.
     pub sweeps: u32,
-    /// How it starts.
+    /// The start.
     pub start: Start,
     /// An index into [`FABRICS`].
     pub fabric: usize,
     /// Factor on the fabric's stiffness, for all springs.
     pub stiffness: f64,
-    /// Whether there are shear springs.
+    /// Whether the sheet has shear springs.
     pub shear: bool,
-    /// Whether there are bend springs.
+    /// Whether the sheet has bend springs.
     pub bend: bool,
     /// [`Material::damping`], s.
     pub damping: f64,
-    /// 1/s
+    /// Drag, 1/s.
     pub drag: f64,
-    /// m/s
+    /// Wind speed, m/s.
     pub wind: f64,
     /// Direction towards which the wind blows, degrees: 0 is to the right, 90 away from the viewer.
     pub heading: f64,

@@ -104,7 +104,7 @@ export default function tests({ test, open, context }) {
         await page.close();
     });
 
-    test('keys do what pointers do', async () => {
+    test('keys have the effects of pointers', async () => {
         const page = await open('?run=0&reference=0');
         await page.keyboard.press('f');
         assert.equal(await frame(page), 1);

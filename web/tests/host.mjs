@@ -26,7 +26,7 @@ export default function tests({ test, open, context, complaints, expected, out }
         await page.close();
     });
 
-    test('an address plays what it says, and the page shows it', async () => {
+    test('an address sets the sheets, and the page shows it', async () => {
         for (const number of ['f32', 'q24']) {
             const { query: asked, digest } = expected.find((line) => line.query.includes(`solver=xpbd&number=${number}`));
             const page = await open(`?${asked}&lesson=4`);
@@ -63,7 +63,7 @@ export default function tests({ test, open, context, complaints, expected, out }
         await page.close();
     });
 
-    test('a folder that is opened from a disk says what to open', async () => {
+    test('a folder that is opened from a disk names the file to open', async () => {
         const page = await context.newPage();
         await page.goto(pathToFileURL(resolve(out, 'playground/index.html')).href);
         await page.waitForSelector('#failed:not([hidden])');

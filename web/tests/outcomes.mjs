@@ -69,7 +69,7 @@ export default function tests({ test, open }) {
         await page.close();
     });
 
-    test('what a number type does not represent is refused in words', async () => {
+    test('a constant that a number type does not represent is refused in words', async () => {
         const page = await open('?run=0&reference=0&number=q24&substeps=64&stiffness=0.01&fabric=interlock&grid=8&number2=f32');
         const [left, right] = await page.evaluate(() => [...document.querySelectorAll('.explosion')].map((box) => (box.hidden ? null : box.textContent)));
         assert.match(left, /Q24 is too coarse.*bend springs/);

@@ -21,7 +21,7 @@ impl Page {
         let _ = write!(self.0, "![{words}]({file})\n\n");
     }
 
-    /// Adds a table; all columns but the first hold numbers.
+    /// Adds a table; all columns but the first are right-aligned, for numbers.
     pub fn table(&mut self, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
         let line = |cells: &[&str]| format!("| {} |\n", cells.join(" | "));
         self.0.push_str(&line(head));

@@ -1,5 +1,5 @@
-//! Random scenes and states that nobody would write. None of them panics or hangs. By stable solvers they stay finite in floats; in fixed point a sheet leaves the range only
-//! if it comes near its end in `f64`, too.
+//! Random scenes and states that nobody would write: none of them panics or hangs, and stable solvers keep all numbers finite. In fixed point a particle leaves the range only in
+//! scenes that come near its limit, or are overstretched, in `f64` as well.
 //!
 //! `PROPTEST_CASES=3000 cargo test --release -p laboratory --test random_scenes` tests more cases. Failures are stored in `random_scenes.regressions` and are tried first. The
 //! fuzzers of `tests/fuzz` look for inputs that reach new code; their corpus is played here, too.

@@ -46,7 +46,7 @@ fn line<S: Scalar>(settings: &Settings, number: Number, name: &str) -> String {
     frame.resize(width, height);
     sheet.shown().draw(&eye::START, false, &mut frame);
     let Settings { solver, substeps, start, wind, .. } = settings;
-    assert!(start == Start::Corners && settings.ball, "what the address below says");
+    assert!(start == Start::Corners && settings.ball, "the address below has these values");
     let query =
         format!("solver={}&number={name}&substeps={substeps}&wind={wind}&ball=1&frames={FRAMES}", solver.name());
     format!(

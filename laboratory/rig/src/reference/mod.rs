@@ -62,9 +62,9 @@ pub enum Wind {
 pub struct Model {
     pub sheet: Sheet,
     pub families: Vec<Family>,
-    /// m/s².
+    /// Gravitational acceleration, m/s².
     pub gravity: Vector,
-    /// γ, 1/s.
+    /// Drag γ, 1/s.
     pub drag: f64,
     pub wind: Option<Wind>,
 }

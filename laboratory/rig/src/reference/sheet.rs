@@ -21,7 +21,7 @@ pub struct Sheet {
     /// Start of particle (0, 0), m.
     pub origin: Vector,
     pub pose: Pose,
-    /// kg, by index.
+    /// Masses of the particles by index, kg.
     pub masses: Vec<f64>,
     /// Pinned particles as (column, row).
     pub pins: Vec<(usize, usize)>,
