@@ -46,7 +46,7 @@ function forwardEuler(settings, frequency) {
     const name = driven > braked ? `ω²·h = ${short(driven)} > ${short(braked)} = γ + τ·ω²` : `ω·h = ${short(frequency * step)}`;
     return [
         name,
-        `Forward Euler is stable while ω²·h < γ + τ·ω², with drag γ and damping τ. Without both, no step is stable. The sheet's stiffest motion, ω = ${short(frequency)} /s, grows `
+        `Forward Euler needs ω²·h < γ + τ·ω², with drag γ and damping τ. Without both, no step is stable. The sheet's stiffest motion, ω = ${short(frequency)} /s, grows `
         + `${short(growth)}-fold every substep of ${short(1e3 * step)} ms.`,
     ];
 }
