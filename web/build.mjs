@@ -1,14 +1,14 @@
-// Puts the page together: node web/build.mjs MODULE OUT
+// Builds the page: node web/build.mjs MODULE OUT
 //
-// OUT/playground is a folder for any server of files; OUT/playground.html is all of it in one file, which opens from a disk. The page's scripts name each other through
-// an import map, which in the single file leads to the scripts themselves.
+// OUT/playground is a folder for any static file server. OUT/playground.html is the same page in one file, which opens from a disk. The page's scripts import each other
+// through an import map; in the single file the map contains the scripts as data URLs.
 import { cp, mkdir, readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { argv } from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
-// What a visitor loads at most, bytes by gzip.
+// The largest allowed download, bytes by gzip.
 const MOST = 350 * 1024;
 
 const [, , wasm, out] = argv;
@@ -27,7 +27,7 @@ const imports = Object.fromEntries(await Promise.all(scripts.map(async (name) =>
 ))));
 const module = (await readFile(wasm)).toString('base64');
 
-// `parts` in the place of their texts, each of which is there once.
+// Applies the replacements [from, to] to a text. Each `from` must occur exactly once.
 function replace(text, parts) {
     return parts.reduce((whole, [from, to]) => {
         const halves = whole.split(from);

@@ -27,7 +27,7 @@ const MAKE = {
         const shown = make('output', { for: id });
         return {
             input, event: 'input', parts: [input], shown,
-            // two digits, so that an address says all of it
+            // Two digits, so that the address holds the whole value.
             read: () => (log ? Number((10 ** Number(input.value)).toPrecision(2)) : Number(input.value)),
             show(value) {
                 input.value = log ? Math.log10(value) : value;
@@ -46,7 +46,7 @@ const MAKE = {
     },
 };
 
-// Adds controls to `parent`, and tells `changed` the key and the value of what is changed. The controls, by key.
+// Adds a control for each setting to `parent`, and returns the controls by key. A change calls `changed(key, value)`.
 export function controls(parent, settings, changed, name = (label) => label) {
     return Object.fromEntries(settings.map((setting) => {
         count += 1;

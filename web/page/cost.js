@@ -1,4 +1,4 @@
-// Error against cost: a point for each solver, number type and number of substeps, whose press loads it.
+// The plot of error against cost: a point for each solver, number type and number of substeps. A press on a point loads its settings.
 import { power } from 'playground/draw.js';
 import { short } from 'playground/explain.js';
 import { label } from 'playground/settings.js';
@@ -17,7 +17,7 @@ const svg = (tag, attributes, text) => {
     return element;
 };
 
-// The cases of these number types, cheap ones first.
+// The cases of the plot in these number types, few substeps first.
 export function cases(numbers) {
     return STEPS.flatMap((substeps) => numbers.flatMap((number) => Object.keys(SOLVER_COLOURS).map((solver) => (
         { solver, number, substeps, sweeps: SWEEPS[solver] ?? 1 }
@@ -25,7 +25,7 @@ export function cases(numbers) {
 }
 
 export class CostPlot {
-    // `chosen` is told the settings of a point that is pressed.
+    // A press on a point calls `chosen` with its settings.
     constructor(parent, chosen) {
         this.chosen = chosen;
         this.svg = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'group', 'aria-label': 'Error against cost' });
@@ -42,12 +42,12 @@ export class CostPlot {
 
     add({ point, error, time, floor }) {
         if (floor !== undefined) this.floor = floor;
-        // what is refused, explodes or is about to has no place here
+        // Refused and exploded cases, and errors of a sheet's size or more, are not drawn.
         else if (error > 0 && error < 1 && time > 0) this.points.push({ ...this.list[point], error, time });
         this.draw();
     }
 
-    // Whole decades around all points: { from, to, place }.
+    // A logarithmic axis of whole decades around all points: { from, to, place }.
     #axis(values, least, most, low, high) {
         const exponents = values.map((value) => Math.log10(value));
         const [from, to] = exponents.length
@@ -98,7 +98,7 @@ export class CostPlot {
         attributes.tabindex = key === focused ? 0 : -1;
         if (key === focused) attributes['data-focused'] = '';
         const [cx, cy] = [x.place(time), y.place(error)];
-        // fixed point is square
+        // Squares mark fixed point.
         const marker = number.startsWith('q')
             ? svg('rect', { ...attributes, x: cx - 4.5, y: cy - 4.5, width: 9, height: 9 })
             : svg('circle', { ...attributes, cx, cy, r: 5 });

@@ -1,9 +1,9 @@
-// What plots have in common: a canvas in the display's own pixels, colours, ticks.
+// Common parts of the plots: a canvas in device pixels, colours, ticks.
 
 export const COLOURS = ['#b22226', '#26548c'];
 const STYLE = { ink: '#6f6a61', rule: '#e4dfd4' };
 
-// A drawing context in CSS pixels, cleared: [context, width, height].
+// Clears a canvas and returns [context, width, height] in CSS pixels.
 export function begin(canvas) {
     const ratio = Math.min(globalThis.devicePixelRatio || 1, 2);
     const { clientWidth: width, clientHeight: height } = canvas;
@@ -19,7 +19,7 @@ export function begin(canvas) {
     return [context, width, height];
 }
 
-// A round step that divides a span into about so many parts.
+// A round step (1, 2 or 5 times a power of ten) that divides a span into about `parts` parts.
 export function step(span, parts) {
     const rough = span / parts;
     const power = 10 ** Math.floor(Math.log10(rough));

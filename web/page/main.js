@@ -1,4 +1,4 @@
-// The page: puts its parts together and keeps time.
+// The page: connects its parts and runs the clock.
 import { controls } from 'playground/controls.js';
 import { Engine } from 'playground/engine.js';
 import { short } from 'playground/explain.js';
@@ -10,11 +10,11 @@ import { View } from 'playground/view.js';
 
 const find = (id) => document.getElementById(id);
 
-// Pixels of a picture along its longer side: less is drawn where pictures take too long.
+// Pixels along the longer side of a picture. Pictures that take too long get fewer pixels.
 const QUALITIES = [640, 480, 360, 240];
-// A picture is on time below the one, and has time to spare below the other, ms.
+// Pictures get smaller above LATE and larger below EARLY, ms each.
 const [LATE, EARLY] = [15, 7];
-// The most time for frames before a picture, ms; the least that frames catch up with.
+// BUDGET: the most time for the frames before a picture, ms. LONGEST: the most time that frames make up for at once, s.
 const BUDGET = 14;
 const LONGEST = 0.1;
 
@@ -28,7 +28,7 @@ const bytes = await module();
 const engine = await Engine.open(bytes);
 const state = parse(location.search);
 
-// A worker with a module of its own, that tells `heard` what it finds.
+// A worker with its own module. It passes its results to `heard`.
 function worker(heard) {
     const made = new Worker(import.meta.resolve('playground/worker.js'), { type: 'module' });
     made.addEventListener('message', ({ data }) => heard(data));
@@ -65,7 +65,7 @@ const views = cards.map(({ canvas }, sheet) => new View(canvas, engine, sheet, {
     say,
 }));
 
-// What happens to the sheets is shown.
+// Shows a message of the stage.
 function told(news) {
     if (news.note !== undefined) find('reference-note').textContent = news.note;
     if (news.exploded !== undefined) {
@@ -125,11 +125,11 @@ function settled() {
     changed();
 }
 
-// Writes all settings into the address. Browsers refuse that for every step of a slider.
+// Writes all settings into the address, after a control has changed: browsers refuse an update for every step of a slider.
 function address() { history.replaceState(null, '', location.pathname + format(state)); }
 document.addEventListener('change', address);
 
-// Settings of one sheet; a solver comes with its usual sweeps.
+// Changes settings of one sheet and restarts both. A new solver gets its usual number of sweeps.
 function choose(sheet, settings) {
     const usual = { lines: 2, verlet: 15, 'backward-euler': 1 };
     if (settings.solver && settings.sweeps === undefined) settings.sweeps = usual[settings.solver] ?? state.sheets[sheet].sweeps;
@@ -137,13 +137,13 @@ function choose(sheet, settings) {
     restart();
 }
 
-// Settings of both, which start them anew.
+// Changes settings of both sheets and restarts them.
 function share(settings) {
     Object.assign(state.shared, settings);
     restart();
 }
 
-// A case of a study is loaded, and runs.
+// Loads a case of a study and runs it.
 function load(sheet, own, shared) {
     Object.assign(state.shared, shared);
     choose(sheet, own);
@@ -180,14 +180,14 @@ find('reference').addEventListener('change', (event) => { state.page.reference =
 const KEYS = { ' ': () => run(!clock.running), f: step, m: slow, r: restart };
 document.addEventListener('keydown', (event) => {
     const { key, target } = event;
-    // letters choose in a select, and space presses what has the focus
+    // In a select, letters choose an option. Space presses the control that has the focus.
     const own = target.closest(key === ' ' ? 'button, select, input, summary, [role=button]' : 'select');
     if (!(key in KEYS) || own || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     KEYS[key]();
 });
 
-// Frames that are due, as far as there is time before the picture: where there is not, time goes slower.
+// Computes the frames that are due before the next picture. If they take longer than BUDGET, simulated time runs slower.
 function frames(now) {
     const passed = Math.min((now - clock.last) / 1e3, LONGEST);
     clock.last = now;
@@ -201,7 +201,7 @@ function frames(now) {
     }
 }
 
-// Less is drawn where pictures are late, more where there is time to spare.
+// Fewer pixels if pictures are late, more if there is time to spare.
 function adapt(spent) {
     clock.spent = 0.9 * clock.spent + 0.1 * spent;
     clock.calm += 1;
@@ -219,13 +219,13 @@ function draw() {
         const { solver, number } = state.sheets[sheet];
         canvas.setAttribute('aria-label', `${side} sheet: ${label('solver', solver)}, ${label('number', number)}, strain ${values.strain.textContent}`);
     });
-    // plots change slowly, and names are for readers of screens
+    // Every fourth picture is enough: plots change slowly.
     if (clock.picture % 4 === 0 || !clock.running) Object.values(plots).forEach((plot) => plot.draw());
     clock.picture += 1;
 }
 
 function tick(now) {
-    // not asked for where an error ends the last one: a module that has failed fails again
+    // The next tick is requested only after this one has succeeded: a module that has failed would fail again.
     const begun = performance.now();
     frames(now);
     if (clock.dirty) {

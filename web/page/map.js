@@ -1,15 +1,15 @@
-// The map of stability: substeps against stiffness, a button for each case.
+// The map of stability: substeps against stiffness, with a button for each case.
 import { FRAME } from 'playground/engine.js';
 import { short } from 'playground/explain.js';
 
 export const STEPS = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
 export const STIFFNESS = [0.01, 0.03, 0.1, 0.3, 1, 3, 10];
 
-// Pale to strong, in strains up to which a colour goes.
+// [largest strain, colour], from pale to strong.
 const SHADES = [[0.01, '#dfeadf'], [0.02, '#cbdfcb'], [0.05, '#b3d0b5'], [0.1, '#e9ddb0'], [0.25, '#e3c27e'], [0.5, '#d99a5b'], [Infinity, '#c9754a']];
 
 export class StabilityMap {
-    // `chosen` is told { substeps, stiffness } of a case that is pressed.
+    // A press on a case calls `chosen` with { substeps, stiffness }.
     constructor(grid, chosen) {
         this.grid = grid;
         this.cells = new Map();
@@ -61,7 +61,7 @@ export class StabilityMap {
         cell.title = name;
     }
 
-    // `frequency`: the sheet's highest, at the stiffness of the fabric.
+    // `frequency`: the sheet's highest angular frequency at the stiffness of the fabric, 1/s.
     show({ cell: [row, column], strain, fate, refused }, frequency) {
         const cell = this.cells.get(`${row},${column}`);
         const product = (frequency * Math.sqrt(STIFFNESS[column]) * FRAME) / STEPS[row];
@@ -74,7 +74,7 @@ export class StabilityMap {
         this.#name(cell, row, column, `${outcome}, ω·h = ${short(product)}`);
     }
 
-    // Marks the case that runs.
+    // Marks the case with these settings.
     mark({ substeps, stiffness }) {
         this.cells.forEach((cell, key) => {
             const [row, column] = key.split(',').map(Number);

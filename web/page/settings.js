@@ -1,4 +1,4 @@
-// What can be chosen: names, ranges, defaults, and the page's address.
+// The settings: names, ranges, defaults, and their form in the page's address.
 
 const SUBSTEPS = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
 
@@ -7,7 +7,7 @@ const range = (key, label, least, most, step, unit, help) => ({ kind: 'range', k
 const toggle = (key, label, help) => ({ kind: 'toggle', key, label, help });
 const numbers = (values) => values.map((value) => [value, String(value)]);
 
-// Of each sheet. A change starts both sheets anew.
+// Settings of each sheet. A change restarts both sheets.
 export const OWN = [
     choice('solver', 'Solver', [
         ['lines', 'Line solver'], ['xpbd', 'XPBD'], ['leapfrog', 'Leapfrog'],
@@ -18,7 +18,7 @@ export const OWN = [
     choice('sweeps', 'Sweeps', numbers([1, 2, 3, 4, 6, 8, 12, 15, 20, 30])),
 ];
 
-// Of both sheets. A change starts them anew.
+// Settings of both sheets. A change restarts both sheets.
 export const BOTH = [
     choice('start', 'Start', [
         ['corners', 'Held at two corners'], ['curtain', 'Curtain'], ['flag', 'Flag'], ['ball', 'Falls on a ball'],
@@ -33,7 +33,7 @@ export const BOTH = [
     toggle('bend', 'Bend springs'),
 ];
 
-// Of both sheets, while they move.
+// Settings of both sheets that change while they move.
 export const LIVE = [
     range('damping', 'Damping', 0, 5, 0.25, 'ms'),
     range('drag', 'Drag', 0, 5, 0.1, '/s'),
@@ -52,13 +52,13 @@ const SHARED = {
     start: 'corners', fabric: 'denim', grid: 16, stiffness: 1, shear: 1, bend: 1,
     damping: 0, drag: 0.5, wind: 0, heading: 90, tilt: 0, roll: 0, ball: 0,
 };
-// What else belongs to a start.
+// Further settings that a start brings along.
 export const ALONG = { flag: { wind: 4, heading: 15, ball: 0 }, ball: { wind: 0, ball: 1 }, curtain: { wind: 2, heading: 90, ball: 0 }, corners: { wind: 0, ball: 0 } };
 const PAGE = { lesson: '', run: 1, slow: 0, reference: 1, frames: 0, map: 0, cost: 0 };
 
 const KNOWN = new Map([...OWN, ...BOTH, ...LIVE].map((setting) => [setting.key, setting]));
 
-// The nearest value that a control can show.
+// The value of a parameter in an address, limited to its range; `otherwise` if it is invalid.
 function valid(key, text, otherwise) {
     const setting = KNOWN.get(key);
     if (setting.kind === 'choice') {
@@ -90,7 +90,7 @@ export function parse(query) {
     return { shared: read({ ...SHARED, ...ALONG[start], start }), sheets: [read(LEFT), read(RIGHT, '2')], page };
 }
 
-// Writes the address of a state: what differs from the defaults.
+// The address of a state: the settings that differ from the defaults.
 export function format({ shared, sheets, page }) {
     const said = new URLSearchParams();
     if (page.lesson) said.set('lesson', page.lesson);
@@ -111,7 +111,7 @@ export const label = (key, value) => {
     return setting.options?.find(([option]) => option === value)?.[1] ?? String(value);
 };
 
-// A value as text, with its unit.
+// A value with its unit.
 export function text(setting, value) {
     if (setting.log) return `${setting.unit} ${Number(value.toPrecision(2))}`;
     return `${Number(value.toFixed(2))} ${setting.unit}`.replace(' °', '°');

@@ -1,14 +1,14 @@
-// Both sheets in time: frames, explosions, and the reference that runs beside.
+// Both sheets in motion: frames, explosions, and the reference solution, which a worker computes.
 import { distance, reference } from 'playground/engine.js';
 import { explain, refuse } from 'playground/explain.js';
 
-// How finely the reference resolves the stiffest motion: ω·h.
+// The largest ω·h of the reference, for the stiffest motion.
 const RESOLVED = 1;
-// Frames that the reference may be late, before it is given up.
+// The stage gives up a reference that is later than this many frames.
 const PATIENCE = 240;
 
 export class Stage {
-    // `follower()` makes a worker for the reference; `told` is told { frame }, { error }, { exploded } and { note } of what happens.
+    // `follower()` makes a worker for the reference. `told` receives messages: { frame }, { error }, { exploded } or { note }.
     constructor(engine, state, follower, told) {
         Object.assign(this, { engine, state, follower, told });
         this.worker = null;
@@ -26,7 +26,7 @@ export class Stage {
         this.times = [0, 0];
         this.waiting = new Map();
         this.held = new Set();
-        // a sheet that its number type refuses is not there
+        // A sheet that its number type refuses does not exist.
         this.refused = [0, 1].map((sheet) => engine.start(sheet, this.settings(sheet)));
         this.explosions = this.refused.map((refused, sheet) => refused && refuse(this.settings(sheet), refused));
         const there = this.refused.indexOf(null);
@@ -68,14 +68,14 @@ export class Stage {
         this.told({ note });
     }
 
-    // What a hand does, to all sheets.
+    // Applies an action of the hand to all sheets.
     act(event) {
         [0, 1].forEach((sheet) => this.explosions[sheet] || this.engine.act(sheet, event));
         if (event.hold) this.held[event.hold[1] ? 'add' : 'delete'](event.hold[0]);
         this.events.push(event);
     }
 
-    // Shared settings that change while sheets move.
+    // Applies shared settings that change while the sheets move.
     change() {
         [0, 1].forEach((sheet) => {
             if (this.explosions[sheet]) return;
@@ -106,6 +106,6 @@ export class Stage {
         this.waiting.set(this.frame, [0, 1].map((sheet) => (this.explosions[sheet] ? null : engine.places(sheet))));
         this.worker.postMessage({ frame: this.frame, events: this.events, start: this.starts });
         this.events = [];
-        if (this.waiting.size > PATIENCE) this.#giveUp('This device does not keep up with the reference: take fewer particles or softer springs.');
+        if (this.waiting.size > PATIENCE) this.#giveUp('This device does not keep up with the reference. Take fewer particles or softer springs.');
     }
 }

@@ -1,13 +1,13 @@
-// Live plots of the last seconds: a line for each sheet.
+// Live plots of the last seconds, with a line for each sheet.
 import { COLOURS, begin, power, step } from 'playground/draw.js';
 import { FRAME } from 'playground/engine.js';
 
-// Frames that are shown.
+// Frames along the axis.
 const SHOWN = 600;
 const [LEFT, RIGHT, TOP, BOTTOM] = [44, 8, 8, 18];
 
 export class Strip {
-    // `log`: the exponents of ten between which a logarithmic axis goes, at most.
+    // `log`: [lowest, highest] exponent of ten of a logarithmic axis.
     constructor(canvas, { log } = {}) {
         this.canvas = canvas;
         this.log = log;

@@ -1,4 +1,4 @@
-// The map of stability and the plot of errors against cost: each computed by a worker, case by case.
+// The map of stability and the plot of errors against cost. A worker computes both, case by case.
 import { CostPlot, SOLVER_COLOURS, cases } from 'playground/cost.js';
 import { STEPS, STIFFNESS, StabilityMap } from 'playground/map.js';
 import { label } from 'playground/settings.js';
@@ -20,16 +20,16 @@ export function studies({ worker, stage, load, find }) {
         dot.style.background = colour;
         entry.append(dot, label('solver', solver));
         return entry;
-    }), 'squares: fixed point; dotted: what is sure of the reference');
+    }), 'squares: fixed point; dotted: estimated error of the reference');
 
     const buttons = { map: [find('map-run'), find('map-note'), 'Draw the map'], cost: [find('cost-run'), find('cost-note'), 'Draw the plot'] };
     let current = null;
-    // Studies are numbered.
+    // The number of the last study.
     let asked = 0;
-    // The settings that the map was drawn with.
+    // The settings of the drawn map.
     let drawn = null;
 
-    // The settings of the sheet that the map is for, but for those that it has all of.
+    // The settings on which the map depends: all but substeps and stiffness, which are its axes.
     const mapped = () => ({ ...stage().settings(target('map-sheet')), substeps: 0, stiffness: 0 });
 
     function end(note) {
@@ -40,7 +40,7 @@ export function studies({ worker, stage, load, find }) {
         current = null;
     }
 
-    // Starts a study, or stops the one that runs.
+    // Stops the running study. Starts this one, unless it was the running one.
     function start(kind, message, total, show) {
         const again = current === kind;
         if (current) {
@@ -56,7 +56,7 @@ export function studies({ worker, stage, load, find }) {
         let count = 0;
         shown.textContent = `0 of ${total}`;
         heard = (data) => {
-            // of a study that was stopped
+            // A result of a stopped study.
             if (data.study !== asked) return;
             if (data.done) {
                 end(data.failed ? 'the reference has exploded' : '');

@@ -1,16 +1,16 @@
-// A sheet on the page: its picture, and what pointers and keys do to it.
+// A sheet on the page: its picture, and the actions of pointers and keys on it.
 
-// How far a key pulls, m.
+// The displacement of the hand by a key, m.
 const NUDGE = 0.03;
 
-// What keys do to a picture that has the focus: turn by pixels, zoom by a factor.
+// Keys of a picture that has the focus: they turn it by pixels, or zoom by a factor.
 const TURNS = { ArrowLeft: [-20, 0], ArrowRight: [20, 0], ArrowUp: [0, 20], ArrowDown: [0, -20] };
 const ZOOMS = { '+': 1.15, '=': 1.15, '-': 1 / 1.15 };
-// To the right, away, up.
+// Directions: to the right, away from the viewer, up.
 const PULLS = { a: [-1, 0, 0], d: [1, 0, 0], e: [0, 1, 0], q: [0, -1, 0], w: [0, 0, 1], s: [0, 0, -1] };
 
 export class View {
-    // `act` passes what a hand does on to all sheets, `changed` asks for a new picture, `tool` says what a press does: pull, pin or turn.
+    // `act` applies an action of the hand to all sheets, `changed` requests a new picture, `tool` returns the action of a press: pull, pin or turn.
     constructor(canvas, engine, sheet, { act, changed, tool, say }) {
         Object.assign(this, { canvas, engine, sheet, act, changed, tool, say });
         this.size = [1, 1];
@@ -26,7 +26,7 @@ export class View {
         canvas.addEventListener('keydown', (event) => this.#key(event));
     }
 
-    // The picture's size for `most` pixels along its longer side.
+    // Sets the picture's size, at most `most` pixels along its longer side.
     #fit(most) {
         const { clientWidth, clientHeight } = this.canvas;
         const ratio = Math.min(globalThis.devicePixelRatio || 1, most / Math.max(clientWidth, clientHeight, 1));
@@ -35,7 +35,7 @@ export class View {
         this.size = size;
     }
 
-    // Draws the sheet if it is there, and who of it is `held`.
+    // Draws the picture, and marks the pinned particles `held` (null for a sheet that was refused).
     draw(most, held) {
         this.#fit(most);
         const [width, height] = this.size;
@@ -67,7 +67,7 @@ export class View {
 
     #down(event) {
         if (event.button > 0) return;
-        // the page focuses it too late where touch is handled here
+        // Where this handler takes touches, the browser would focus the canvas too late.
         this.canvas.focus({ preventScroll: true });
         this.canvas.setPointerCapture(event.pointerId);
         this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
@@ -103,7 +103,7 @@ export class View {
     }
 
     #wheel(event) {
-        // a page that is scrolled past a picture goes on scrolling
+        // Scrolling the page does not zoom a picture that the pointer passes over.
         if (document.activeElement !== this.canvas) return;
         event.preventDefault();
         this.engine.zoom(Math.exp(-event.deltaY * 0.001));
@@ -130,7 +130,7 @@ export class View {
         this.changed();
     }
 
-    // Corners, middles of edges, and the middle: what keys choose from.
+    // The particles that keys can choose: corners, middles of edges, and the middle.
     #places() {
         const side = this.engine.sides[this.sheet];
         const [middle, last] = [Math.floor(side / 2), side - 1];
@@ -168,7 +168,7 @@ export class View {
         this.changed();
     }
 
-    // The sheet starts anew.
+    // Forgets the state of the hand when the sheet restarts.
     restart() {
         this.hand = null;
         this.pointers.clear();

@@ -1,27 +1,27 @@
-// What is computed beside the page: the reference solution, the map of stability, errors against cost.
+// The workers' script: the reference solution, the map of stability, errors against cost.
 //
-// The first message opens the module: { engine, bytes }. Then
-//   { follow: settings, start }              starts a reference, { frame, events, start } moves it and answers { frame, places, start }
+// The first message, { engine, bytes }, opens the module. The others are
+//   { follow: settings }                     starts a reference; { frame, events, start } moves it and answers { frame, places, start }
 //   { map: { settings, steps, stiffness } }  answers { cell: [row, column], strain, fate, refused } for each case
-//   { cost: { settings, cases } }            answers { point, error, time } for each case, and { floor }, the error of what they are compared with
-// These two have a number, { study }, which is in all answers. A study ends with { done }, or where a message has another number.
+//   { cost: { settings, cases } }            answers { point, error, time } for each case, and { floor }, the estimated error of the reference
+// Messages for a map or a cost plot have a number, { study }, and all answers repeat it. A study ends with { done }, or when a message has another number.
 
 let Playground = null;
 let engine = null;
 let study = 0;
 let started = Promise.resolve();
-// Frames of the reference that are not computed yet.
+// Messages for frames of the reference that are not computed yet.
 let queue = [];
 let following = false;
 
 const REFERENCE = 0;
 const CASE = 1;
-// How finely references resolve the stiffest motion, and the frames of a study.
+// The largest ω·h of references in the cost plot, and the frames of each case.
 const FINE = 0.5;
 const MAP_FRAMES = 45;
 const COST_FRAMES = 30;
 
-// Lets messages in. A timer would wait for milliseconds.
+// Handles waiting messages before the next frames. A timer would wait for milliseconds.
 const breath = new MessageChannel();
 const breathing = [];
 breath.port1.onmessage = () => breathing.shift()();
@@ -44,7 +44,7 @@ async function map(own, { settings, steps, stiffness }) {
     postMessage({ study: own, done: true });
 }
 
-// Plays to the end: places, and seconds a frame; null where it fails.
+// Plays a case to its end. Returns the particles' coordinates and the milliseconds of a frame, or null if it is refused, explodes or is stopped.
 async function play(own, settings) {
     if (engine.start(CASE, settings)) return null;
     let time = 0;
@@ -65,11 +65,11 @@ async function cost(own, { settings, cases }) {
     const coarser = await play(own, Playground.reference(settings, frequency, 2 * FINE));
     if (own !== study) return;
     if (!exact || !coarser) { postMessage({ study: own, done: true, failed: true }); return; }
-    // of second order: the finer one is off by a third of what both differ by
+    // Richardson: leapfrog has order 2, so the error of the finer solution is a third of the difference.
     postMessage({ study: own, floor: Playground.distance(exact.places, coarser.places) / 3 });
     for (const [point, one] of cases.entries()) {
         const whole = { ...settings, ...one };
-        // the first frames of a case are compiled while they run
+        // The browser compiles code while the first frames run; these two are not measured.
         if (!engine.start(CASE, whole)) [0, 1].forEach(() => engine.frame(CASE));
         const played = await play(own, whole);
         if (own !== study) return;
@@ -109,7 +109,7 @@ addEventListener('message', ({ data }) => {
     const own = study;
     started.then(() => {
         if (data.follow) {
-            // frames of the last start are nobody's any more
+            // Messages for the previous start are obsolete.
             queue = [];
             engine.start(REFERENCE, data.follow);
         } else if (data.events) {

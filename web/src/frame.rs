@@ -1,4 +1,4 @@
-//! The pixels of a picture, as a page takes them: red, green, blue and opacity, a byte each.
+//! The pixels of a picture in the format of a canvas: red, green, blue and opacity, a byte each.
 
 use core::convert::Infallible;
 
@@ -17,10 +17,10 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// A picture of nothing.
+    /// A picture without pixels.
     pub const EMPTY: Self = Self { size: Size::zero(), bytes: Vec::new() };
 
-    /// Makes room for a picture of this size, of at most [`LARGEST`] pixels a side.
+    /// Sets the size of the picture, at most [`LARGEST`] pixels a side.
     pub fn resize(&mut self, width: u32, height: u32) {
         self.size = Size::new(width.clamp(1, LARGEST), height.clamp(1, LARGEST));
         self.bytes.resize((self.size.width * self.size.height) as usize, [255; 4]);
@@ -103,7 +103,7 @@ mod tests {
         frame
     }
 
-    /// Where a frame is red.
+    /// Indices of the red pixels.
     fn red(frame: &Frame) -> Vec<usize> {
         let is_red = |pixel: &[u8; 4]| *pixel == [255, 0, 0, 255];
         frame.bytes().iter().enumerate().filter(|(_, pixel)| is_red(pixel)).map(|(index, _)| index).collect()

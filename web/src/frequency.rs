@@ -1,19 +1,19 @@
-//! The highest angular frequency of a flat sheet at rest: explicit solvers are stable for steps h up to a limit on ω·h.
+//! The highest angular frequency ω of a flat sheet at rest. Explicit solvers are stable for steps h up to a limit on ω·h.
 //!
-//! Springs at rest resist only along themselves, so particles move in the sheet's plane. Power iteration on M⁻¹·K, with the stiffness matrix K and the masses M, finds
-//! ω² as the largest eigenvalue (G. Golub, C. Van Loan, *Matrix Computations*, 2013, 7.3).
+//! Springs at rest resist only along their own direction, so that the vibrations lie in the sheet's plane. ω² is the largest eigenvalue of M⁻¹·K, with the stiffness
+//! matrix K and the masses M. Power iteration finds it (G. Golub, C. Van Loan, *Matrix Computations*, 2013, 7.3).
 
 use kerchief::material::Springs;
 
-/// Neighbours in a family, as steps across and down.
+/// Offsets (across, down) of the links of a family.
 const FAMILIES: [[[i32; 2]; 2]; 3] = [[[1, 0], [0, 1]], [[1, 1], [1, -1]], [[2, 0], [0, 2]]];
-/// The estimate grows from below; after so many products it is short of ω² by less than a percent.
+/// Products M⁻¹·K·x of the iteration. The estimate approaches ω² from below, and is then less than a percent short of it.
 const PRODUCTS: u32 = 150;
 
 /// The frequency (1/s) of a sheet of `side × side` particles whose inverse masses (1/kg) are listed row by row.
 pub fn highest(side: usize, inverse_masses: &[f64], springs: &Springs) -> f64 {
     let stiffnesses = [springs.stretch, springs.shear, springs.bend];
-    // without any symmetry
+    // A start without any symmetry contains all modes.
     let mut way: Vec<[f64; 2]> =
         (0..side * side).map(|k| [1.1, 2.3].map(|pace| libm::sin(pace * k as f64 + 0.4))).collect();
     let mut square = 0.0;
@@ -37,7 +37,7 @@ pub fn highest(side: usize, inverse_masses: &[f64], springs: &Springs) -> f64 {
     libm::sqrt(square)
 }
 
-/// Adds what the springs along `step` do against the displacements `way`.
+/// Adds the forces of the springs along `step` for the displacements `way`.
 fn add(side: usize, [across, down]: [i32; 2], stiffness: f64, way: &[[f64; 2]], pull: &mut [[f64; 2]]) {
     let length = libm::sqrt(f64::from(across * across + down * down));
     let along = [f64::from(across) / length, f64::from(down) / length];
@@ -64,7 +64,7 @@ mod tests {
 
     const STRETCH: Springs = Springs { stretch: 30.0, shear: 0.0, bend: 0.0 };
 
-    /// Rows and columns move for themselves. A free chain of N particles has ω² = 4·k/m·cos²(π/2N).
+    /// Without shear springs rows and columns vibrate independently. A free chain of N particles has ω² = 4·k/m·cos²(π/2N).
     #[test]
     fn a_sheet_of_equal_masses_has_the_frequency_of_its_rows() {
         let side = 9;

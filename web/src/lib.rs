@@ -1,18 +1,18 @@
-//! The playground: sheets for a page in a browser, chosen while it runs.
+//! The playground: sheets for a page in a browser, which chooses solver, number type and grid at run time.
 //!
-//! The page calls the functions in `exports`, which take and give numbers. Everything else is ordinary Rust, so that a host plays and draws the same sheets: the
-//! program `expected` prints what a browser has to show.
+//! The page calls the functions in `exports`, which take and return numbers. Everything else is ordinary Rust, so that a host can play and draw the same sheets. The
+//! program `expected` prints the digests and pixel hashes that a browser must reproduce.
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`settings`] | what the page chooses |
-//! | [`parts`] | forces, links and obstacles of a scene |
+//! | [`settings`] | the settings of a sheet |
+//! | [`parts`] | forces, links and colliders of a scene |
 //! | [`frequency`] | the sheet's highest frequency, which limits explicit solvers |
-//! | [`play`] | a sheet, whatever its number type, solver and grid |
+//! | [`play`] | a sheet in motion, of any number type, solver and grid |
 //! | [`likeness`] | its copy in `f64`: measures, explosions, pictures |
-//! | [`eye`] | where one looks from |
+//! | [`eye`] | the camera |
 //! | [`frame`] | the pixels |
-//! | `world`, `exports` | the way in for the page (WebAssembly alone) |
+//! | `world`, `exports` | the functions that the page calls (WebAssembly only) |
 
 pub mod eye;
 pub mod frame;

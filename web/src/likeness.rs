@@ -1,5 +1,5 @@
-//! A sheet's copy in `f64`, of which everything is made that is shown of it: measures, explosions, pictures. So those are compiled once for each grid, not for each
-//! number type and solver too.
+//! A sheet's copy in `f64`. Measures, explosions and pictures are computed from the copy, so that their code is compiled once for each grid and not for each number
+//! type and solver too.
 
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Rgb888;
@@ -15,36 +15,36 @@ use crate::frequency;
 use crate::parts::{self, BALL, Links};
 use crate::settings::{SIZE, Settings};
 
-/// What has become of a sheet.
+/// Whether a sheet moves, or how it has exploded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fate {
     /// It moves.
     Moving = 0,
     /// A number is infinite or undefined.
     NotFinite,
-    /// A particle has left the range of fixed point, and comes back from the other end.
+    /// A particle has left the range of fixed point and reappears at the other end.
     OutOfRange,
-    /// Links are several times too long, and a particle is far away.
+    /// A link is several times its rest length, and a particle is far away.
     Burst,
 }
 
-/// A sheet is burst where a link is strained by so much, and a particle so many sizes from the origin.
+/// A sheet has burst if the largest strain of its links exceeds `STRAINED` and a coordinate of a particle exceeds `FAR` sheet sizes.
 const STRAINED: f64 = 5.0;
 const FAR: f64 = 20.0;
-/// Where a particle that is even further is drawn, cells from the origin.
+/// Coordinates are limited to this before drawing, cells.
 const FURTHEST: f64 = 512.0;
 
-/// Threads, and the plain border: of the left sheet and of the right one.
+/// Colours of the left sheet and of the right one: plain threads; coloured threads and border.
 const TONES: [[Rgb888; 2]; 2] =
     [[Rgb888::new(250, 240, 226), Rgb888::new(178, 34, 38)], [Rgb888::new(244, 242, 234), Rgb888::new(38, 84, 140)]];
 const BALL_TONE: Rgb888 = Rgb888::new(128, 132, 130);
 const SHADOW: Rgb888 = Rgb888::new(172, 164, 154);
-/// What the floor reflects: cloth is mostly seen from the side or from below.
+/// Light from the floor: cloth is mostly seen from the side or from below.
 const REFLECTED: Rgb888 = Rgb888::new(140, 130, 122);
 /// Bands of the pattern along a side.
 const BANDS: i32 = 15;
 
-/// The copy of a sheet of `N × N` particles, which is drawn with `FACES × FACES` faces a cell.
+/// The copy of a sheet of `N × N` particles, drawn with `FACES × FACES` faces a cell.
 #[derive(Debug)]
 pub struct Likeness<const N: usize, const FACES: usize> {
     sheet: Sheet<f64, N, N>,
@@ -83,19 +83,19 @@ impl<const N: usize, const FACES: usize> Likeness<N, FACES> {
         likeness
     }
 
-    /// Takes over what changes while a sheet moves.
+    /// Takes over the settings that the copy needs and that change while a sheet moves: gravity and the ball.
     pub fn change(&mut self, settings: &Settings) {
         self.gravity = settings.gravity();
         self.ball = settings.ball.then(|| settings.start.ball());
     }
 
-    /// Takes over the particles after a frame, unless the sheet has exploded: then the last frame before stays.
+    /// Takes over the particles after a frame. If the sheet has exploded, the copy keeps the previous frame.
     pub fn follow<S: Scalar>(&mut self, particles: &Particles<S, N, N>) -> Fate {
         self.fate = self.take(particles);
         self.fate
     }
 
-    /// Takes over the particles after a substep of the frame in which the sheet explodes. Not where it has exploded already, which is the answer.
+    /// Takes over the particles after a substep of the frame in which the sheet explodes. Returns false, and takes over nothing, once it has exploded.
     pub fn approach<S: Scalar>(&mut self, particles: &Particles<S, N, N>) -> bool {
         self.take(particles) == Fate::Moving
     }
@@ -111,7 +111,7 @@ impl<const N: usize, const FACES: usize> Likeness<N, FACES> {
         fate
     }
 
-    /// Takes over who is held.
+    /// Takes over whether a particle is pinned: its inverse mass is then 0.
     pub fn hold(&mut self, node: Node, inverse_mass: f64) {
         self.particles.inverse_mass[node] = inverse_mass;
         if inverse_mass == 0.0 {
@@ -129,7 +129,7 @@ impl<const N: usize, const FACES: usize> Likeness<N, FACES> {
             return Fate::NotFinite;
         }
         let mut ways = self.particles.position.values().zip(next.position.values());
-        // halfway round, or it did not come this way
+        // Fixed point wraps around. A displacement of more than half the circle in a frame means that the particle went the other way, across the end of the range.
         if ways.any(|(from, to)| largest(to - from) > range) {
             return Fate::OutOfRange;
         }
@@ -138,7 +138,7 @@ impl<const N: usize, const FACES: usize> Likeness<N, FACES> {
         if is_far && measure::strain(next, &self.links).largest > STRAINED { Fate::Burst } else { Fate::Moving }
     }
 
-    /// The sheet as it is drawn and picked.
+    /// The particles for drawing and picking.
     fn drawn(&self) -> Particles<f32, N, N> {
         let near = |cells: f64| cells.clamp(-FURTHEST, FURTHEST);
         let mut drawn = Particles::BLANK;
@@ -149,13 +149,13 @@ impl<const N: usize, const FACES: usize> Likeness<N, FACES> {
     }
 }
 
-/// What is shown of a sheet, whatever its grid.
+/// Measures and pictures of a sheet of any grid.
 pub trait Shown {
-    /// What has become of the sheet.
+    /// Whether the sheet moves, or how it has exploded.
     fn fate(&self) -> Fate;
-    /// Where the particles are, m, row by row.
+    /// Positions of the particles, m, row by row.
     fn places(&self) -> &[[f64; 3]];
-    /// By how much links differ from their rest length.
+    /// Strain of the links.
     fn strain(&self) -> Strain<f64>;
     /// Kinetic, gravitational and elastic energy together, J.
     fn energy(&self) -> f64;
@@ -163,9 +163,9 @@ pub trait Shown {
     fn frequency(&self) -> f64;
     /// Draws the sheet, the ball and the floor, in the colours of the left sheet or of the right one.
     fn draw(&self, eye: &Orbit, right: bool, frame: &mut Frame);
-    /// The particle under a pixel, or the nearest one to it.
+    /// The particle at a pixel or near it.
     fn pick(&self, eye: &Orbit, screen: Size, pixel: Point) -> Option<Node>;
-    /// The point (m) under a pixel that is as deep in the picture as `place` (m).
+    /// The point (m) under a pixel, at the depth of the point `place` (m).
     fn under(&self, eye: &Orbit, screen: Size, pixel: Point, place: [f64; 3]) -> [f64; 3];
     /// The pixel at which a particle is seen.
     fn pixel(&self, eye: &Orbit, screen: Size, node: Node) -> Option<Point>;

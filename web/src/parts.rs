@@ -1,13 +1,13 @@
-//! What scenes are put together from, in any number type.
+//! Forces, links and colliders of a scene, in any number type.
 //!
-//! A number type that doesn't represent a constant to within a sixteenth is refused here, where the library would panic: the page says which constant it is.
+//! A number type that doesn't represent a constant to within a sixteenth is refused here, so that the page can name the constant. The library would panic.
 
 use kerchief::material::Springs;
 use kerchief::{Bend, Damped, Drag, Gravity, Hand, PanelWind, Plane, Scalar, Shear, Sheet, Sphere, Stretch};
 
 use crate::settings::{SIZE, Settings, Solver};
 
-/// What the number type does not represent.
+/// The constant that the number type does not represent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
     /// Gravity.
@@ -28,31 +28,31 @@ pub enum Refusal {
 
 /// Gravity, drag and wind.
 pub type Weather<S> = (Gravity<S>, Drag<S>, Option<PanelWind<S>>);
-/// What pulls from outside.
+/// All forces but those of springs.
 pub type Forces<S> = (Gravity<S>, Drag<S>, Option<PanelWind<S>>, Hand<S>);
-/// What holds particles together.
+/// Springs with their dampers.
 pub type Links<S> = (Damped<Stretch<S>, S>, Option<Damped<Shear<S>, S>>, Option<Damped<Bend<S>, S>>);
-/// What is in the way.
+/// The colliders: ball and floor.
 pub type Obstacles<S> = (Option<Sphere<S>>, Plane<S>);
 
 /// The angle of folds between neighbouring cells at which bend springs are as stiff as the fabric, rad.
 const FOLD: f64 = 0.5;
-/// The ball's radius, and how far particles keep from it, m.
+/// The ball's radius, and the margin at which particles keep from it, m.
 pub const BALL: f64 = 0.15;
 const BALL_MARGIN: f64 = 0.012;
 const BALL_FRICTION: f64 = 0.3;
-/// How far particles keep from the floor, m.
+/// The margin at which particles keep from the floor, m.
 const FLOOR_MARGIN: f64 = 0.004;
 const FLOOR_FRICTION: f64 = 0.5;
-/// kg/m³, and the drag coefficient of a plate.
+/// Density of air, kg/m³, and the drag coefficient of a plate.
 const AIR: f64 = 1.2;
 const PLATE: f64 = 1.2;
-/// The hand pulls no more from this distance on (m), with so many weights of the sheet, and is damped (N·s/m).
+/// The hand: the distance up to which its force grows (m), its largest force (weights of the sheet), its damping (N·s/m).
 const REACH: f64 = 0.15;
 const WEIGHTS: f64 = 4.0;
 const GRIP: f64 = 0.3;
 
-/// Whether `S` represents a constant of these components to within a sixteenth of the largest.
+/// Whether `S` represents these components to within a sixteenth of the largest.
 fn represents<S: Scalar, const M: usize>(values: [f64; M]) -> bool {
     let largest = values.into_iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
     largest <= S::LARGEST
@@ -64,7 +64,7 @@ fn check<S: Scalar, const M: usize>(refusal: Refusal, values: [f64; M]) -> Resul
     if represents::<S, M>(values) { Ok(()) } else { Err(refusal) }
 }
 
-/// The stiffness of the sheet's springs, N/m; of those that there are not, zero.
+/// The stiffness of the sheet's springs, N/m; zero for families that are off.
 pub fn stiffness<S: Scalar, const N: usize>(sheet: &Sheet<S, N, N>, settings: &Settings) -> Springs {
     let Springs { stretch, shear, bend } = settings.material().springs(&sheet.units, FOLD);
     let times = |stiffness: f64, there: bool| if there { stiffness * settings.stiffness } else { 0.0 };
@@ -74,10 +74,10 @@ pub fn stiffness<S: Scalar, const N: usize>(sheet: &Sheet<S, N, N>, settings: &S
 /// Springs and dampers.
 ///
 /// # Errors
-/// Where `S` does not represent one.
+/// If `S` does not represent a stiffness or a damping.
 pub fn links<S: Scalar, const N: usize>(sheet: &Sheet<S, N, N>, settings: &Settings) -> Result<Links<S>, Refusal> {
     let Springs { stretch, shear, bend } = stiffness(sheet, settings);
-    // a sweep of Verlet has its part of the stiffness
+    // Verlet divides the stiffness among its sweeps: `S` has to represent a sweep's part, too.
     let sweeps = if settings.solver == Solver::Verlet { f64::from(settings.sweeps) } else { 1.0 };
     let damper = |refusal: Refusal, stiffness: f64| {
         let damper = settings.damping * stiffness;
@@ -96,10 +96,10 @@ pub fn links<S: Scalar, const N: usize>(sheet: &Sheet<S, N, N>, settings: &Setti
     ))
 }
 
-/// Weight, drag and moving air.
+/// Gravity, drag and wind.
 ///
 /// # Errors
-/// Where `S` does not represent one.
+/// If `S` does not represent a component.
 pub fn weather<S: Scalar, const N: usize>(sheet: &Sheet<S, N, N>, settings: &Settings) -> Result<Weather<S>, Refusal> {
     let units = &sheet.units;
     check::<S, 3>(Refusal::Gravity, units.acceleration(settings.gravity()).0)?;
@@ -115,7 +115,7 @@ pub fn weather<S: Scalar, const N: usize>(sheet: &Sheet<S, N, N>, settings: &Set
     Ok((sheet.gravity(settings.gravity()), sheet.drag(settings.drag), wind))
 }
 
-/// A hand that holds nothing.
+/// A hand without a particle.
 pub fn hand<S: Scalar, const N: usize>(sheet: &Sheet<S, N, N>, settings: &Settings) -> Hand<S> {
     let weight = 9.81 * settings.material().density * SIZE * SIZE;
     sheet.hand(REACH / (WEIGHTS * weight), GRIP, REACH)

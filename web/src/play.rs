@@ -1,4 +1,4 @@
-//! A sheet in motion, whatever its number type, solver and grid.
+//! A sheet in motion, of any number type, solver and grid.
 
 use kerchief::scene::Only;
 use kerchief::solver::Physics;
@@ -11,38 +11,38 @@ use crate::likeness::{Fate, Likeness, Shown};
 use crate::parts::{self, Forces, Links, Obstacles, Refusal};
 use crate::settings::{self, FRAME, SIZE, Settings, Start};
 
-/// How far a pin is carried in a frame at most, m.
+/// The largest displacement of a carried pin in a frame, m.
 const STRIDE: f64 = 0.03;
 
 /// A sheet in motion.
 pub trait Moving {
     /// Moves on by one frame, unless the sheet has exploded.
     fn frame(&mut self) -> Fate;
-    /// Takes over what may change while the sheet moves: stiffness, damping, drag, wind, gravity, ball.
+    /// Takes over the settings that may change while the sheet moves: stiffness, damping, drag, wind, gravity, ball.
     ///
     /// # Errors
-    /// Where the number type does not represent it: nothing has changed then.
+    /// If the number type does not represent one of them. Then nothing has changed.
     fn change(&mut self, settings: &Settings) -> Result<(), Refusal>;
-    /// Holds a particle where it is, or lets it go.
+    /// Pins a particle at its position, or releases it.
     fn hold(&mut self, node: Node, held: bool);
-    /// Whether a particle is held.
+    /// Whether a particle is pinned.
     fn is_held(&self, node: Node) -> bool;
-    /// Grabs a particle by the hand.
+    /// The hand grabs a particle.
     fn grab(&mut self, node: Node);
-    /// Drags what the hand has to a place, m. A pin is carried there.
+    /// Drags the grabbed particle to a point, m. A pin is carried there.
     fn drag(&mut self, place: [f64; 3]);
-    /// Lets go of what the hand has.
+    /// Releases the grabbed particle.
     fn release(&mut self);
-    /// The digest of the last frame that had not exploded: see [`measure::digest`].
+    /// The digest of the last frame before an explosion: see [`measure::digest`].
     fn digest(&self) -> u32;
-    /// What is shown of it.
+    /// Its measures and pictures.
     fn shown(&self) -> &dyn Shown;
 }
 
 /// A sheet of `N × N` particles, drawn with `FACES × FACES` faces a cell, at its start.
 ///
 /// # Errors
-/// Where the number type does not represent a constant.
+/// If the number type does not represent a constant.
 pub fn start<S: Scalar, const N: usize, const FACES: usize>(settings: &Settings) -> Result<Box<dyn Moving>, Refusal> {
     let sheet = Sheet::<S, N, N>::of(&settings.material(), [SIZE; 2], FRAME, settings.substeps);
     let mut cloth = Box::new(lie(&sheet, settings.start));
@@ -82,7 +82,7 @@ fn lie<S: Scalar, const N: usize>(sheet: &Sheet<S, N, N>, start: Start) -> Cloth
     }
 }
 
-/// Who is held at the start.
+/// Particles that are pinned at the start.
 fn pins<const N: usize>(start: Start) -> impl Iterator<Item = Node> {
     Grid::<(), N, N>::nodes().filter(move |node| match start {
         Start::Corners => node.row == 0 && (node.column == 0 || node.column + 1 == N),
@@ -92,7 +92,7 @@ fn pins<const N: usize>(start: Start) -> impl Iterator<Item = Node> {
     })
 }
 
-/// All that acts on a sheet.
+/// Forces, links and colliders of a sheet.
 struct World<S: Scalar> {
     forces: Forces<S>,
     links: Links<S>,
@@ -111,12 +111,12 @@ impl<S: Scalar> World<S> {
     }
 }
 
-/// A scene and its solver's memory, whatever the solver.
+/// A scene and its solver's memory, for any solver.
 trait Player<S: Scalar, const N: usize> {
     fn play(&mut self, cloth: &mut Cloth<S, N, N>);
-    /// Lets a pin travel to a place in the next frame.
+    /// Moves a pin to a point during the next frame.
     fn carry(&self, cloth: &mut Cloth<S, N, N>, pin: Node, place: Vec3<S>);
-    /// Plays a frame's substeps one by one, for as long as `goes_on` likes what it sees.
+    /// Plays a frame's substeps one by one, as long as `goes_on` returns true for their particles.
     fn replay(&self, cloth: &mut Cloth<S, N, N>, units: &Units, goes_on: &mut dyn FnMut(&Particles<S, N, N>) -> bool);
     fn parts(&mut self) -> (&mut Forces<S>, &mut Links<S>, &mut Obstacles<S>);
 }
@@ -168,7 +168,7 @@ struct Running<S: Scalar, const N: usize, const FACES: usize> {
 }
 
 impl<S: Scalar, const N: usize, const FACES: usize> Running<S, N, FACES> {
-    /// A hand has no force on a pin, and carries it.
+    /// Carries a grabbed pin: forces do not move pins.
     fn carry(&mut self) {
         let stride = self.sheet.units.length(STRIDE);
         if let Some((pin, place)) = self.player.parts().0.3.carried(&self.cloth, stride) {
@@ -186,7 +186,7 @@ impl<S: Scalar, const N: usize, const FACES: usize> Moving for Running<S, N, FAC
             if self.likeness.follow(&self.cloth) == Fate::Moving {
                 self.digest = measure::digest(&self.cloth);
             } else {
-                // what is left to be seen is how it exploded
+                // Shows the last substep before the explosion.
                 let Self { sheet, before, player, likeness, .. } = self;
                 player.replay(before, &sheet.units, &mut |particles| likeness.approach(particles));
             }
@@ -223,14 +223,14 @@ impl<S: Scalar, const N: usize, const FACES: usize> Moving for Running<S, N, FAC
     }
 
     fn drag(&mut self, place: [f64; 3]) {
-        // no further than fixed point goes
+        // Within the range of fixed point.
         let place = place.map(|metres| metres.clamp(-2.0 * SIZE, 2.0 * SIZE));
         self.player.parts().0.3.drag_to(self.sheet.place(place));
     }
 
     fn release(&mut self) {
         if let Some(pin) = self.player.parts().0.3.drop().filter(|&node| self.cloth.is_pinned(node)) {
-            // it stays where it is
+            // The pin stays where it is.
             self.cloth.pin(pin);
         }
     }

@@ -1,4 +1,4 @@
-//! What the page chooses.
+//! The settings of the page.
 
 use kerchief::Material;
 use kerchief::material::{BLANKET, DENIM, INTERLOCK, JACKET, PONTE_ROMA, RIB_KNIT, TABLECLOTH, TROUSERS};
@@ -11,7 +11,7 @@ pub const SIZE: f64 = 0.6;
 /// The fabrics, in the order of the page.
 pub const FABRICS: [Material; 8] = [DENIM, INTERLOCK, RIB_KNIT, PONTE_ROMA, TROUSERS, JACKET, TABLECLOTH, BLANKET];
 
-/// A way to move a sheet.
+/// A solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Solver {
     /// [`kerchief::Lines`]
@@ -67,13 +67,13 @@ impl Number {
 /// How a sheet starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {
-    /// Laid flat, held at two corners.
+    /// Laid flat, pinned at two corners.
     Corners,
-    /// Hung from its upper edge.
+    /// Hung, pinned at its upper edge.
     Curtain,
-    /// Hung, held at its left edge.
+    /// Hung, pinned at its left edge.
     Flag,
-    /// Laid flat above the ball, held nowhere.
+    /// Laid flat above the ball, without pins.
     Ball,
 }
 
@@ -81,7 +81,7 @@ impl Start {
     /// Every start, in the order of the page.
     pub const ALL: [Self; 4] = [Self::Corners, Self::Curtain, Self::Flag, Self::Ball];
 
-    /// Where the ball is, m.
+    /// The centre of the ball, m.
     pub const fn ball(self) -> [f64; 3] {
         match self {
             Self::Corners => [0.0, -0.05, 0.2],
@@ -91,7 +91,7 @@ impl Start {
     }
 }
 
-/// Everything that the page says of a sheet.
+/// All settings of a sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// Particles a side.
@@ -104,34 +104,34 @@ pub struct Settings {
     pub substeps: u32,
     /// Sweeps in a substep, of solvers that have them; Newton steps of backward Euler.
     pub sweeps: u32,
-    /// How it starts.
+    /// The start.
     pub start: Start,
     /// An index into [`FABRICS`].
     pub fabric: usize,
-    /// All springs are so many times as stiff as the fabric's.
+    /// Factor on the fabric's stiffness, for all springs.
     pub stiffness: f64,
-    /// Whether there are shear springs.
+    /// Whether the sheet has shear springs.
     pub shear: bool,
-    /// Whether there are bend springs.
+    /// Whether the sheet has bend springs.
     pub bend: bool,
     /// [`Material::damping`], s.
     pub damping: f64,
-    /// 1/s
+    /// Drag, 1/s.
     pub drag: f64,
-    /// m/s
+    /// Wind speed, m/s.
     pub wind: f64,
-    /// Where the wind blows to, degrees: 0 is to the right, 90 away from the viewer.
+    /// Direction towards which the wind blows, degrees: 0 is to the right, 90 away from the viewer.
     pub heading: f64,
-    /// By how much gravity leans to the right, degrees.
+    /// Inclination of gravity to the right, degrees.
     pub tilt: f64,
-    /// By how much gravity leans away from the viewer, degrees.
+    /// Inclination of gravity away from the viewer, degrees.
     pub roll: f64,
     /// Whether there is a ball.
     pub ball: bool,
 }
 
 impl Settings {
-    /// What the page starts with.
+    /// The settings at the page's start.
     pub const DEFAULT: Self = Self {
         side: 16,
         number: Number::F32,
@@ -152,7 +152,7 @@ impl Settings {
         ball: false,
     };
 
-    /// Sets one of them, by its place in the list of `engine.js`.
+    /// Sets the parameter with this index in the list `PARAMETERS` of `engine.js`.
     pub fn set(&mut self, parameter: u32, value: f64) {
         let index = value as usize;
         match parameter {

@@ -14,12 +14,12 @@ use crate::settings::{Number, Settings};
 /// The left sheet and the right one.
 const SHEETS: usize = 2;
 
-/// The sheets, and what the page says of the next one that starts.
+/// The sheets, and the settings for the next start or change.
 pub(crate) struct World {
     pub(crate) settings: Settings,
     pub(crate) eye: Orbit,
     pub(crate) frame: Frame,
-    /// Three numbers for the page to read.
+    /// A result of three numbers, which the page reads from memory.
     pub(crate) place: [f64; 3],
     sheets: [Option<Box<dyn Moving>>; SHEETS],
     sides: [usize; SHEETS],
@@ -37,7 +37,7 @@ impl World {
         }
     }
 
-    /// Starts a sheet anew. A refused one is no more.
+    /// Starts a sheet, instead of the one before. After a refusal there is none.
     pub(crate) fn start(&mut self, sheet: usize) -> u32 {
         self.sheets[sheet] = None;
         self.sides[sheet] = self.settings.side;
@@ -93,7 +93,7 @@ impl World {
         self.place = self.sheet(sheet).shown().under(&eye, screen, pixel, place);
     }
 
-    /// A particle's pixel: its column in the upper half, its row in the lower; −1 for none.
+    /// A particle's pixel: its column in the upper half, its row in the lower; −1 if there is none.
     pub(crate) fn pixel(&mut self, sheet: usize, screen: Size, index: usize) -> i32 {
         let (eye, node) = (self.eye, self.node(sheet, index));
         let seen = self.sheet(sheet).shown().pixel(&eye, screen, node);
@@ -102,7 +102,7 @@ impl World {
     }
 }
 
-/// The grids of the page, and with how many faces a cell is drawn.
+/// Starts a sheet on one of the page's grids. Finer grids are drawn with fewer faces a cell.
 fn on_grid<S: Scalar>(settings: &Settings) -> Result<Box<dyn Moving>, Refusal> {
     match settings.side {
         8 => start::<S, 8, 8>(settings),

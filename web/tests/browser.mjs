@@ -1,6 +1,7 @@
-// Uses the page as a visitor does, in a headless Chromium: node web/tests/browser.mjs PLAYWRIGHT OUT EXPECTED [PICTURES]
+// Tests the page in a headless Chromium: node web/tests/browser.mjs PLAYWRIGHT OUT EXPECTED [PICTURES]
 //
-// PLAYWRIGHT is the folder of playwright-core, OUT what web/build.mjs has made, EXPECTED what the program `expected` prints; PICTURES is where pictures of the page go.
+// PLAYWRIGHT is the folder of playwright-core, OUT the output folder of web/build.mjs, EXPECTED a file with the output of the program `expected`, PICTURES a folder for pictures
+// of the page.
 import assert from 'node:assert/strict';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -41,7 +42,7 @@ const context = await chromium.launchPersistentContext(profile, {
     args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
 });
 
-// Whatever a page complains of, and whatever it asks of anybody else.
+// Errors and warnings of the page, and its requests to other sites.
 const complaints = [];
 context.on('console', (message) => ['error', 'warning'].includes(message.type()) && complaints.push(message.text()));
 context.on('weberror', (error) => complaints.push(String(error.error())));
@@ -68,7 +69,7 @@ for (const [name, run] of tests) {
     try {
         complaints.length = 0;
         await run();
-        assert.deepEqual(complaints, [], 'what the page complains of');
+        assert.deepEqual(complaints, [], 'complaints of the page');
         console.log(`test ${name} ... ok <${((performance.now() - start) / 1e3).toFixed(1)}s>`);
     } catch (error) {
         failed += 1;
@@ -76,7 +77,7 @@ for (const [name, run] of tests) {
         for (const page of context.pages().slice(1)) await page.close();
     }
 }
-// as cargo says it, for the count of all tests
+// In the form of cargo's summary, from which all tests are counted.
 console.log(`test result: ${failed ? 'FAILED' : 'ok'}. ${tests.length - failed} passed; ${failed} failed; finished in ${((performance.now() - begun) / 1e3).toFixed(0)}s`);
 await context.close();
 server.close();

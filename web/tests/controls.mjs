@@ -1,4 +1,4 @@
-// Every control, and the address that says its value.
+// Every control, and its value in the address.
 import assert from 'node:assert/strict';
 import { readFile, readdir } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -13,7 +13,7 @@ export default function tests({ test, open }) {
         const LIVE = new Set(['damping', 'drag', 'wind', 'heading', 'tilt', 'roll', 'ball']);
         for (const [key, right] of shown) {
             const sheet = right ? 1 : 0;
-            // a start brings its wind along
+            // A start brings its wind along, so this sets the wind again.
             await page.locator('[data-key=wind]').fill('1');
             await page.click('#reset');
             await play(page, LIVE.has(key) ? 5 : 0);

@@ -1,4 +1,4 @@
-// Mouse, touch and keys.
+// Tests of mouse, touch and keys.
 import assert from 'node:assert/strict';
 import { eye, frame, held, moved, place, play, query, spot } from './look.mjs';
 
@@ -104,7 +104,7 @@ export default function tests({ test, open, context }) {
         await page.close();
     });
 
-    test('keys do what pointers do', async () => {
+    test('keys have the effects of pointers', async () => {
         const page = await open('?run=0&reference=0');
         await page.keyboard.press('f');
         assert.equal(await frame(page), 1);

@@ -1,4 +1,4 @@
-// The same bits as on a host, from a server and from a disk.
+// The page computes the same bits as a host, from a server and from a disk.
 import assert from 'node:assert/strict';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -20,13 +20,13 @@ export default function tests({ test, open, context, complaints, expected, out }
             }, [asked, [width, height]]);
             assert.deepEqual(found, { digest, pixels, fate }, asked);
         }
-        // Q13 measures only what is relaxed more coarsely than Q24
+        // Q13 differs from Q24 only where links are relaxed: it measures these more coarsely. Other solvers have equal digests in both.
         const own = expected.filter(({ query: asked }) => !asked.includes('q13')).map(({ digest }) => digest);
         assert.equal(new Set(own).size, 18, 'every solver and number type has a digest of its own');
         await page.close();
     });
 
-    test('an address plays what it says, and the page shows it', async () => {
+    test('an address sets the sheets, and the page shows it', async () => {
         for (const number of ['f32', 'q24']) {
             const { query: asked, digest } = expected.find((line) => line.query.includes(`solver=xpbd&number=${number}`));
             const page = await open(`?${asked}&lesson=4`);
@@ -63,13 +63,13 @@ export default function tests({ test, open, context, complaints, expected, out }
         await page.close();
     });
 
-    test('a folder that is opened from a disk says what to open', async () => {
+    test('a folder that is opened from a disk names the file to open', async () => {
         const page = await context.newPage();
         await page.goto(pathToFileURL(resolve(out, 'playground/index.html')).href);
         await page.waitForSelector('#failed:not([hidden])');
         assert.match(await page.textContent('#failed'), /playground\.html/);
         await page.close();
-        // the browser's own, of scripts that it does not load
+        // The browser's complaints about scripts that it does not load.
         complaints.length = 0;
     });
 }

@@ -1,4 +1,4 @@
-// Errors against the reference, explosions, refusals.
+// Tests of errors against the reference, explosions and refusals.
 import assert from 'node:assert/strict';
 import { play } from './look.mjs';
 
@@ -20,7 +20,7 @@ export default function tests({ test, open }) {
 
     test('a reference that is too late is given up, in words', async () => {
         const page = await open('?run=0&solver2=xpbd&grid=8');
-        // no answer is heard meanwhile
+        // The page receives no answer of the worker during these frames.
         await play(page, 250);
         assert.match(await page.textContent('#reference-note'), /does not keep up/);
         await page.click('#reset');
@@ -61,7 +61,7 @@ export default function tests({ test, open }) {
         assert.ok(places < 12, `the last frame before: ${places}`);
         const digest = await play(page, 5);
         assert.equal(await play(page, 5), digest, 'frozen');
-        // as many substeps as the sentence says are enough
+        // The number of substeps that the sentence recommends is the smallest stable one.
         const [, enough] = left.why.match(/From (\d+) substeps/);
         assert.ok(exact * 16 / enough < 2 && exact * 16 / (enough - 1) >= 2);
         await page.click('#reset');
@@ -69,7 +69,7 @@ export default function tests({ test, open }) {
         await page.close();
     });
 
-    test('what a number type does not represent is refused in words', async () => {
+    test('a constant that a number type does not represent is refused in words', async () => {
         const page = await open('?run=0&reference=0&number=q24&substeps=64&stiffness=0.01&fabric=interlock&grid=8&number2=f32');
         const [left, right] = await page.evaluate(() => [...document.querySelectorAll('.explosion')].map((box) => (box.hidden ? null : box.textContent)));
         assert.match(left, /Q24 is too coarse.*bend springs/);

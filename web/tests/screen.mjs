@@ -1,4 +1,4 @@
-// Names, widths, the rate of pictures, and pictures to be looked at.
+// Tests of names, widths and the picture rate; pictures for inspection.
 import assert from 'node:assert/strict';
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -35,7 +35,7 @@ export default function tests({ test, open, pictures }) {
             setTimeout(() => resolve((1e3 * (globalThis.playground.clock.picture - first)) / (performance.now() - begun)), 2500);
         }));
         console.log(`    ${rate.toFixed(0)} pictures a second, ${await page.textContent('#speed')}`);
-        // far less than a laptop shows: a machine that tests has other work and no graphics
+        // Far below a laptop's rate: a test machine has other work and no graphics hardware.
         assert.ok(rate > 2);
         await page.close();
     });

@@ -1,4 +1,4 @@
-//! What the page does with its sheets, on a host.
+//! The page's operations on sheets, on a host.
 
 use embedded_graphics::geometry::Size;
 use kerchief::render::Orbit;

@@ -1,4 +1,4 @@
-// The map of stability and the plot of errors against cost.
+// Tests of the map of stability and of the plot of errors against cost.
 import assert from 'node:assert/strict';
 import { query } from './look.mjs';
 
@@ -24,7 +24,7 @@ export default function tests({ test, open }) {
         await page.waitForFunction(() => !document.querySelectorAll('.explosion')[1].hidden);
         await page.selectOption('[data-key=fabric]', 'jacket');
         assert.equal(await page.textContent('#map-note'), 'drawn with other settings');
-        // at once: it takes less time than two clicks
+        // Both clicks in one script: the map is complete before a second separate click.
         const stopped = await page.evaluate(() => {
             const button = document.getElementById('map-run');
             button.click();
@@ -40,7 +40,7 @@ export default function tests({ test, open }) {
     });
 
     test('errors against cost fall with substeps, and a point is loaded', async () => {
-        // Q24 refuses the shortest substeps
+        // Q24 refuses the shortest substeps in this fabric.
         const page = await open('?run=0&reference=0&grid=8&number2=q24&fabric=interlock');
         await page.click('#cost-run');
         await page.waitForFunction(() => document.getElementById('cost-run').textContent !== 'Stop', null, { timeout: 40_000 });
@@ -51,7 +51,7 @@ export default function tests({ test, open }) {
         )));
         const of = (key) => errors.find(([name]) => name === key)[1];
         assert.ok(of('lines q24 1') < of('lines q24 8') && of('xpbd f32 1') < of('xpbd f32 64'), 'lower on the page is less');
-        // points may lie on each other
+        // Points may cover each other, so a mouse click might hit another one.
         await page.locator('#cost [data-key="xpbd f32 64"]').dispatchEvent('click');
         const search = await query(page);
         assert.deepEqual([search.get('solver2'), search.get('substeps2')], ['xpbd', '64']);

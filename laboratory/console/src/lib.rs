@@ -1,4 +1,4 @@
-//! What programs have in common: a command line that fails in one line, scenes by name, files that appear whole.
+//! Common parts of the host programs: command-line errors of one line, scenes by name, files that appear only when they are complete.
 #![allow(
     missing_docs,
     clippy::missing_errors_doc,
@@ -23,18 +23,18 @@ use kerchief::host::{BuiltIn, Description, ScalarKind, SceneError, Simulation, S
 
 pub use kerchief::host::printable;
 
-/// Scene files may be as large as this, MB of 2²⁰ bytes: no scene is, but a device has no end.
+/// The largest accepted scene file, MB of 2²⁰ bytes. No scene is that large, but a device file may be endless.
 const LARGEST: u64 = 16;
 
-/// Sets a scene up in a number type, on the grids of a program.
+/// Starts a scene in a number type, on one of the grids that a program is compiled for.
 pub type Start = fn(&Description, ScalarKind) -> Result<Box<dyn Simulation>, SceneError>;
 
-/// Why a program does not end well.
+/// The reason why a program fails.
 #[derive(Debug)]
 pub enum Failure {
-    /// It could not do what it was asked for: status 2.
+    /// The program could not do its task: exit status 2.
     Refused(String),
-    /// It did, and the sheet exploded: status 3.
+    /// The program has run, but the sheet exploded: exit status 3.
     Exploded(String),
 }
 
@@ -44,50 +44,50 @@ impl From<String> for Failure {
     }
 }
 
-/// What a program ends with: a failure is one line and its status.
+/// Turns a result into an exit status. A failure is written to stderr as one line.
 pub fn exit(result: Result<(), impl Into<Failure>>) -> ExitCode {
     let Err(failure) = result else { return ExitCode::SUCCESS };
     let (reason, status) = match failure.into() {
         Failure::Refused(reason) => (reason, 2),
         Failure::Exploded(reason) => (reason, 3),
     };
-    // Nobody left to tell is no reason to panic.
+    // A closed stderr is no reason to panic.
     let _ = writeln!(io::stderr(), "error: {}", printable(&reason));
     ExitCode::from(status)
 }
 
-/// A line on the standard output.
+/// Writes a line to stdout.
 pub fn say(line: &str) {
-    // As above.
+    // A closed stdout is no reason to panic.
     let _ = writeln!(io::stdout(), "{line}");
 }
 
-/// The command line, or the one line that says what is wrong with it. Help and version print themselves and exit.
+/// Reads the command line. An error is one line with its reason. `--help` and `--version` print their text and exit.
 pub fn read<A: Parser>() -> Result<A, String> {
     A::try_parse().map_err(|error| {
         if !error.use_stderr() {
             error.exit();
         }
         let text = error.render().to_string();
-        // The first paragraph holds the reason and the possible values; hints and the usage follow.
+        // The first paragraph has the reason and the possible values; hints and usage follow.
         let reason: Vec<_> = text.lines().map(str::trim).take_while(|line| !line.is_empty()).collect();
         reason.join(" ").trim_start_matches("error: ").to_string()
     })
 }
 
-/// The name of a number type.
+/// Parser for the name of a number type.
 pub fn scalar_kind() -> impl TypedValueParser<Value = ScalarKind> {
     PossibleValuesParser::new(ScalarKind::ALL.map(ScalarKind::name))
         .map(|name| ScalarKind::from_name(&name).expect("one of the names above"))
 }
 
-/// The name of a solver.
+/// Parser for the name of a solver.
 pub fn solver_kind() -> impl TypedValueParser<Value = SolverKind> {
     PossibleValuesParser::new(SolverKind::ALL.map(SolverKind::name))
         .map(|name| SolverKind::from_name(&name).expect("one of the names above"))
 }
 
-/// The scene of that name among `named`, or in that file: its text and its meaning. The name of a file need not be text.
+/// The text and the description of the scene with this name among `named`, or else of the scene in this file. A file name need not be valid UTF-8.
 pub fn load(scene: impl AsRef<OsStr>, named: &[BuiltIn]) -> Result<(String, Description), String> {
     let scene = scene.as_ref();
     let shown = scene.display();
@@ -119,13 +119,13 @@ fn read_scene(path: &OsStr) -> io::Result<String> {
     String::from_utf8(bytes).map_err(|_| io::Error::other("not UTF-8"))
 }
 
-/// A bar on stderr; none where that is no terminal.
+/// A progress bar on stderr; it is hidden if stderr is no terminal.
 pub fn progress(what: &'static str, length: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg:>8} {wide_bar} {pos}/{len} {eta}").expect("a template");
     ProgressBar::new(length).with_style(style).with_message(what)
 }
 
-/// A number above zero.
+/// Parses a finite number above zero.
 pub fn positive(text: &str) -> Result<f64, String> {
     let number: f64 = text.parse().map_err(|_| "not a number".to_string())?;
     if number > 0.0 && number.is_finite() { Ok(number) } else { Err("must be finite and above zero".to_string()) }

@@ -1,4 +1,4 @@
-//! A scene that is played live, without the window around it: what keys and pointers do, and what is shown.
+//! A scene that is played live: the actions of keys and pointers, and the picture with its captions. The window itself is elsewhere.
 
 mod caption;
 mod clock;

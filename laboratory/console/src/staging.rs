@@ -1,4 +1,4 @@
-//! Files that appear whole or not at all.
+//! Files that appear complete or not at all.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,14 +8,14 @@ use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
 use tempfile::{Builder, NamedTempFile, TempPath};
 
-/// A program that a signal ends has, as shells count it, the status 128 and the number of the signal.
+/// The exit status of a program that a signal ends is this plus the number of the signal, by the convention of shells.
 #[cfg(unix)]
 const SIGNALLED: i32 = 128;
 
-/// Files that are not in their places yet.
+/// Temporary files that have not been moved to their places yet.
 static STAGED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// A file written beside its place and moved there when it is complete; dropped before that, it leaves nothing.
+/// A temporary file in the directory of its place. It is moved to its place when it is complete, and deleted if it is dropped before that.
 #[derive(Debug)]
 pub struct Staged {
     file: BufWriter<NamedTempFile>,
@@ -23,7 +23,7 @@ pub struct Staged {
 }
 
 impl Staged {
-    /// Opens the file that will stand in `directory` under `name`; no directory may have its place.
+    /// Opens the file that will be `name` in `directory`. Fails if a directory has that name.
     pub fn create(directory: &Path, name: &str) -> Result<Self, String> {
         let place = directory.join(name);
         if place.symlink_metadata().is_ok_and(|found| found.is_dir()) {
@@ -39,7 +39,7 @@ impl Staged {
         Ok(Self { file: BufWriter::new(file), place })
     }
 
-    /// Writes what is left and closes the file.
+    /// Writes the buffered rest and closes the file.
     pub fn complete(self) -> Result<Complete, String> {
         let file = self.file.into_inner().map_err(|error| failed(&self.place, error.error()))?;
         Ok(Complete { file: file.into_temp_path(), place: self.place })
@@ -50,22 +50,22 @@ impl Staged {
         finish([self.complete()?])
     }
 
-    /// `result`, with the file's name in its error.
+    /// Adds the file's name to the error of `result`.
     pub fn named<T, E: std::fmt::Display>(&self, result: Result<T, E>) -> Result<T, String> {
         result.map_err(|error| format!("{}: {error}", self.place.display()))
     }
 }
 
-/// A file with everything in it, which still stands beside its place.
+/// A completely written temporary file, which has not been moved to its place yet.
 #[derive(Debug)]
 pub struct Complete {
     file: TempPath,
     place: PathBuf,
 }
 
-/// Moves files that belong together to their places. All of them are complete, or a full disk would leave some without the others.
+/// Moves files that belong together to their places. All of them must be complete first: a full disk would otherwise leave some without the others.
 pub fn finish(files: impl IntoIterator<Item = Complete>) -> Result<(), String> {
-    // A signal waits for the last one.
+    // The lock lets a signal wait until the last file is moved.
     let mut staged = staged();
     files.into_iter().try_for_each(|Complete { file, place }| {
         staged.remove(&*file);
@@ -83,12 +83,12 @@ impl Write for Staged {
     }
 }
 
-/// A file without a name in `directory`, for what a program remembers: the system removes it however the program ends.
+/// A temporary file without a name in `directory`, for a program's intermediate data. The system removes it however the program ends.
 pub fn scratch(directory: &Path) -> Result<fs::File, String> {
     tempfile::tempfile_in(directory).map_err(|error| failed(directory, &error))
 }
 
-/// Makes the directory `--out` and makes sure that files can be written there; from now on a signal that ends the program removes what is staged.
+/// Creates the directory `--out` and checks that files can be written there. From now on, a signal that ends the program removes the staged files.
 pub fn prepare(directory: &Path) -> Result<(), String> {
     static SIGNALS: Once = Once::new();
     SIGNALS.call_once(clear_on_signals);
@@ -97,25 +97,25 @@ pub fn prepare(directory: &Path) -> Result<(), String> {
 }
 
 fn staged() -> MutexGuard<'static, BTreeSet<PathBuf>> {
-    // A panic elsewhere does not leave half a set.
+    // A panic elsewhere does not leave an inconsistent set.
     STAGED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A signal that ends the program drops nothing: a thread waits for it and removes what is staged.
+/// Signals that end a program run no destructors. A thread waits for them and removes the staged files.
 #[cfg(unix)]
 fn clear_on_signals() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
     use signal_hook::iterator::Signals;
 
-    // Without it everything works but the tidying up.
+    // If this fails, only the tidying up is missing.
     let signals = [SIGHUP, SIGINT, SIGQUIT, SIGTERM].into_iter().filter(|signal| !is_ignored(*signal));
     let Ok(mut signals) = Signals::new(signals) else { return };
     std::thread::spawn(move || {
         if let Some(signal) = signals.forever().next() {
-            // Held to the end, so that nothing more is staged.
+            // The lock is kept until the program ends, so that no further file is staged.
             let staged = staged();
             for file in &*staged {
-                // It may have been dropped.
+                // The file may be deleted already.
                 let _ = fs::remove_file(file);
             }
             std::process::exit(SIGNALLED + signal);
@@ -126,7 +126,7 @@ fn clear_on_signals() {
 #[cfg(not(unix))]
 fn clear_on_signals() {}
 
-/// Whether the program was started to ignore a signal, as `nohup` does, which must stay so. Only Linux tells.
+/// Whether the program was started with a signal ignored, as by `nohup`; such a signal must stay ignored. Only Linux tells.
 #[cfg(unix)]
 fn is_ignored(signal: i32) -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();

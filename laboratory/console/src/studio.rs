@@ -6,7 +6,7 @@ use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use image::{RgbImage, imageops};
 use kerchief::host::{Bounds, Description, Painter, Still};
 
-/// Pictures are drawn that much larger and reduced, which smooths their edges.
+/// Pictures are drawn larger by this factor and then reduced, which smooths their edges.
 const OVERSIZE: u32 = 3;
 
 /// Makes square images.
@@ -17,7 +17,7 @@ pub struct Studio<'a> {
 }
 
 impl<'a> Studio<'a> {
-    /// A studio for images of `side` × `side` pixels that show these moments.
+    /// A studio for images of `side` × `side` pixels whose view contains these stills.
     pub fn new<'b>(
         scene: &'a Description,
         stills: impl IntoIterator<Item = &'b Still>,
@@ -28,14 +28,14 @@ impl<'a> Studio<'a> {
         Ok(Self { painter, side })
     }
 
-    /// A studio for images of `side` × `side` pixels that show all moments within these bounds.
+    /// A studio for images of `side` × `side` pixels whose view contains these bounds.
     pub fn within(scene: &'a Description, seen: Bounds, side: u32) -> Result<Self, String> {
         let size = Size::new(side * OVERSIZE, side * OVERSIZE);
         let painter = Painter::within(scene, seen, size).map_err(|error| error.to_string())?;
         Ok(Self { painter, side })
     }
 
-    /// An image of a moment.
+    /// An image of a still.
     pub fn picture(&self, still: &Still) -> RgbImage {
         let size = Size::new(self.side * OVERSIZE, self.side * OVERSIZE);
         let mut display = SimulatorDisplay::with_default_color(size, Rgb888::BLACK);

@@ -1,15 +1,15 @@
-//! How far two motions are apart.
+//! Distances between two motions.
 
 use super::Motion;
 use crate::reference::vector::{add, scale};
 use crate::reference::{Model, Solution, State, Vector, rms_distance};
 
-/// RMS distance of two states of a sheet over its size.
+/// RMS distance between two states of a sheet, divided by its size.
 pub fn error(model: &Model, a: &State, b: &State) -> f64 {
     rms_distance(&a.position, &b.position) / model.sheet.size()
 }
 
-/// The largest [`error`] of a motion over the times of `exact`, which are ends of frames of `frame` seconds.
+/// The largest [`error`] of a motion at the times of `exact`. These must be ends of frames of `frame` seconds.
 pub fn largest_error(model: &Model, exact: &Solution, frame: f64, motion: &mut dyn Motion) -> f64 {
     let mut frames = 0;
     let errors = exact.times.iter().zip(&exact.states).map(|(time, state)| {
@@ -18,7 +18,7 @@ pub fn largest_error(model: &Model, exact: &Solution, frame: f64, motion: &mut d
         frames = end;
         error(model, &motion.state(), state)
     });
-    // A motion that blew up is infinitely far, which `f64::max` would overlook.
+    // A motion that blew up has an undefined error, which `f64::max` would ignore: it counts as infinite.
     errors.fold(0.0, |largest, e| if e.is_nan() { f64::INFINITY } else { e.max(largest) })
 }
 
@@ -27,7 +27,7 @@ pub fn tenths(frames: u32) -> Vec<f64> {
     (1..=frames).map(|frame| f64::from(frame) * 0.1).collect()
 }
 
-/// The start with every free particle displaced by up to a tenth of a cell and moving, without any symmetry.
+/// The start with every free particle displaced by up to a tenth of a cell along each axis and moving, without any symmetry.
 pub fn stirred(model: &Model) -> State {
     let mut state = model.start();
     let amount = 0.1 * model.sheet.cell().into_iter().fold(0.0, f64::max);
@@ -39,20 +39,20 @@ pub fn stirred(model: &Model) -> State {
     state
 }
 
-/// The start with all particles, pins too, at the same velocity.
+/// The start with the same velocity for all particles, including pins.
 pub fn carried(model: &Model, velocity: Vector) -> State {
     let mut state = model.start();
     state.velocity.fill(velocity);
     state
 }
 
-/// Indices of the particles that no pin holds.
+/// Indices of the particles that are not pinned.
 pub fn free(model: &Model) -> impl Iterator<Item = usize> {
     let pins: Vec<usize> = model.sheet.pins.iter().map(|&pin| model.sheet.index(pin)).collect();
     (0..model.sheet.particles()).filter(move |i| !pins.contains(i))
 }
 
-/// The largest strain `||d|/L - 1|` of the links of `offset`.
+/// The largest strain `||d|/L - 1|` of the links with this offset.
 pub fn strain(model: &Model, state: &State, offset: (i32, i32)) -> f64 {
     let rest = model.sheet.positions();
     let length =

@@ -1,7 +1,7 @@
-//! One description of a scene, two ways to move it: the reference's [`Model`] in the hands of the core.
+//! One description of a scene, two ways to move it: the reference's [`Model`], moved by the core.
 //!
-//! [`Rig`] is the core's side, for any solver, number type, further links and colliders. [`moved`] forgets the solver's type, so that a test
-//! runs through [`Method`]s in a loop. States come back in SI units, as the reference has them.
+//! [`Rig`] is the core's side, for any solver, number type, further links and colliders. [`moved`] hides the solver's type, so that a test
+//! can loop over [`Method`]s. States are in SI units, as in the reference.
 #![allow(
     missing_docs,
     missing_debug_implementations,
@@ -33,7 +33,7 @@ pub type Forces<S> =
 /// The links of a [`Model`].
 pub type Springs<S> = (Option<Damped<Stretch<S>, S>>, Option<Damped<Shear<S>, S>>, Option<Damped<Bend<S>, S>>);
 
-/// How long a frame is (s), and into how many substeps it is divided.
+/// The length of a frame (s), and the number of its substeps.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
     pub frame: f64,
@@ -45,7 +45,7 @@ impl Pace {
         Self { frame, substeps }
     }
 
-    /// The core's units for a sheet: its middle particle is the ordinary one.
+    /// The core's units for a sheet. Its middle particle has the unit mass.
     pub fn units(self, sheet: &Sheet) -> Units {
         let ordinary = sheet.masses[sheet.index((sheet.columns / 2, sheet.rows / 2))];
         Units::sheet([sheet.columns, sheet.rows], [sheet.width, sheet.height], ordinary, self.frame, self.substeps)
@@ -69,7 +69,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Rig<S, V, W, H> {
 }
 
 impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize, L: Links<S>, C: Collider<S>> Rig<S, V, W, H, L, C> {
-    /// The same rig with other links made from its own.
+    /// The same rig with links made from its own ones.
     pub fn with_links<M: Links<S>>(self, links: impl FnOnce(&Units, L) -> M) -> Rig<S, V, W, H, M, C> {
         let Self { units, scene, cloth, .. } = self;
         let Scene { forces, links: own, colliders, solver, .. } = scene;
@@ -77,7 +77,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize, L: Links<S>, C: Co
         Rig { units, memory: scene.memory(), scene, cloth }
     }
 
-    /// The same rig with something in the way.
+    /// The same rig with colliders.
     pub fn with_colliders<D: Collider<S>>(self, colliders: impl FnOnce(&Units) -> D) -> Rig<S, V, W, H, L, D> {
         let Self { units, scene, cloth, memory } = self;
         let Scene { forces, links, solver, .. } = scene;
@@ -85,7 +85,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize, L: Links<S>, C: Co
         Rig { units, scene, cloth, memory }
     }
 
-    /// Moves the sheet by one frame, and what is in its way.
+    /// Moves the sheet and its colliders by one frame.
     pub fn step(&mut self) {
         self.scene.play(&mut self.cloth, &mut self.memory);
     }
@@ -94,7 +94,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize, L: Links<S>, C: Co
         (0..frames).for_each(|_| self.step());
     }
 
-    /// A place in the core's units and numbers.
+    /// A point in the core's units and numbers.
     pub fn place(&self, metres: [f64; 3]) -> Vec3<S> {
         self.units.point(metres).to_vec()
     }
@@ -108,7 +108,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize, L: Links<S>, C: Co
         }
     }
 
-    /// Places and moves the particles as `state` says.
+    /// Sets positions (m) and velocities (m/s) of the particles.
     pub fn set(&mut self, state: &State) {
         let (mut positions, mut velocities) = (state.position.iter(), state.velocity.iter());
         let units = &self.units;

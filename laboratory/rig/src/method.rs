@@ -1,4 +1,4 @@
-//! Every solver behind one name.
+//! All solvers behind one type.
 
 use kerchief::{BackwardEuler, ForwardEuler, Leapfrog, Lines, Scalar, Solver, Verlet, Xpbd, measure};
 
@@ -11,24 +11,24 @@ pub enum Method {
     ForwardEuler,
     BackwardEuler,
     Leapfrog,
-    /// With so many sweeps.
+    /// With this number of sweeps.
     Verlet(u32),
     Xpbd,
-    /// With so many sweeps.
+    /// With this number of sweeps.
     Lines(u32),
 }
 
-/// All solvers as most users run them.
+/// All solvers with usual settings.
 pub const ALL: [Method; 6] =
     [Method::ForwardEuler, Method::BackwardEuler, Method::Leapfrog, Method::Verlet(4), Method::Xpbd, Method::Lines(1)];
 
-/// A [`Rig`] whose solver's type is forgotten.
+/// A [`Rig`] with a solver of any type.
 pub trait Motion {
-    /// Moves the sheet by so many frames.
+    /// Moves the sheet by a number of frames.
     fn run(&mut self, frames: u32);
     fn state(&self) -> State;
     fn set(&mut self, state: &State);
-    /// Equal for equal bits.
+    /// A digest of the sheet: equal states have equal digests.
     fn digest(&self) -> u32;
 }
 
@@ -50,7 +50,7 @@ impl<S: Scalar, V: Solver<S>, const W: usize, const H: usize> Motion for Rig<S, 
     }
 }
 
-/// `model` in the hands of a solver of the core.
+/// `model`, moved by a solver of the core.
 pub fn moved<S: Scalar, const W: usize, const H: usize>(model: &Model, pace: Pace, method: Method) -> Box<dyn Motion> {
     match method {
         Method::ForwardEuler => rig::<S, _, W, H>(model, pace, ForwardEuler),

@@ -1,4 +1,4 @@
-//! How a scene is solved.
+//! Configurations: solver, number type and settings for a scene.
 
 use std::fmt;
 
@@ -11,14 +11,14 @@ pub struct Configuration {
     pub scalar: ScalarKind,
     /// Solver steps per frame.
     pub substeps: u32,
-    /// Relaxation sweeps (Newton steps of backward Euler) per substep; 1 where there are none.
+    /// Relaxation sweeps (Newton steps of backward Euler) per substep; 1 for solvers without sweeps.
     pub sweeps: u32,
-    /// The strain for which lines spend further sweeps; without, the scene's.
+    /// The strain above which the line solver sweeps again; `None` takes the scene's value.
     pub tolerance: Option<f64>,
 }
 
 impl Configuration {
-    /// The scene solved in this way.
+    /// The scene with this configuration.
     pub fn of(self, scene: &Description) -> Description {
         let mut scene = scene.clone();
         (scene.solver.kind, scene.solver.substeps, scene.solver.iterations) = (self.solver, self.substeps, self.sweeps);
@@ -27,14 +27,14 @@ impl Configuration {
         scene
     }
 
-    /// What it takes on a command line.
+    /// The configuration as words of a command line.
     pub fn words(self) -> Vec<String> {
         let Self { solver, scalar, substeps, sweeps, tolerance } = self;
         let words = [solver.name().to_string(), scalar.name().to_string(), substeps.to_string(), sweeps.to_string()];
         words.into_iter().chain(tolerance.map(|tolerance| tolerance.to_string())).collect()
     }
 
-    /// What was written by [`words`](Self::words).
+    /// Parses the output of [`words`](Self::words).
     pub fn from_words(words: &[String]) -> Option<Self> {
         let [solver, scalar, substeps, sweeps, tolerance @ ..] = words else { return None };
         Some(Self {
@@ -51,14 +51,14 @@ impl Configuration {
         format!("{} {}", self.solver.name(), self.scalar.name())
     }
 
-    /// All but the substeps.
+    /// Everything but the substeps.
     pub fn group(self) -> String {
         let sweeps = if has_sweeps(self.solver) { format!(" × {}", self.sweeps) } else { String::new() };
         let tolerance = self.tolerance.map_or(String::new(), |tolerance| format!(" within {tolerance}"));
         format!("{}{sweeps}{tolerance}", self.kind())
     }
 
-    /// The substeps and what follows them.
+    /// Substeps, sweeps and tolerance.
     pub fn settings(self) -> String {
         format!("{}{}", self.substeps, self.group().trim_start_matches(&self.kind()))
     }
@@ -70,13 +70,13 @@ impl fmt::Display for Configuration {
     }
 }
 
-/// Whether a solver has sweeps (or Newton steps) to choose.
+/// Whether a solver has a number of sweeps or Newton steps.
 pub const fn has_sweeps(solver: SolverKind) -> bool {
     matches!(solver, SolverKind::Verlet | SolverKind::BackwardEuler | SolverKind::Lines)
 }
 
-/// How many plain sweeps are about as much work as one of a solver's: all families and its further sweeps for lines, a Newton step with
-/// its conjugate gradients for backward Euler.
+/// The work of a solver's sweep, in plain sweeps: about 2 for a sweep of the line solver over all families, with its further sweeps, and about 64 for a Newton step of
+/// backward Euler with its conjugate gradients.
 const fn weight(solver: SolverKind) -> u32 {
     match solver {
         SolverKind::Lines => 2,
@@ -85,22 +85,22 @@ const fn weight(solver: SolverKind) -> u32 {
     }
 }
 
-/// Which configurations are compared.
+/// The configurations that a study compares.
 #[derive(Clone, Debug)]
 pub struct Choice {
     pub solvers: Vec<SolverKind>,
     pub scalars: Vec<ScalarKind>,
     pub substeps: Vec<u32>,
-    /// The same for every solver that has sweeps; what is usual for each where there are none.
+    /// For every solver that has sweeps; if empty, usual values for each solver.
     pub sweeps: Vec<u32>,
-    /// For lines.
+    /// For the line solver.
     pub tolerances: Vec<f64>,
-    /// The most sweeps in a frame; see `weight`.
+    /// The most plain sweeps in a frame; see `weight`.
     pub work: u32,
 }
 
 impl Choice {
-    /// All of them, those that differ in substeps alone one after the other.
+    /// All configurations. Those that differ only in substeps follow each other.
     pub fn configurations(&self) -> Vec<Configuration> {
         let mut all = Vec::new();
         for &solver in &self.solvers {

@@ -1,6 +1,6 @@
-//! The Pareto front: what nothing else beats in both cost and error.
+//! The Pareto front: the points for which no other point has less cost and less error.
 
-/// Indices of the points (cost, error) that no other beats, by ascending cost. What is not a number is on no front.
+/// Indices of the points (cost, error) on the Pareto front, by ascending cost. Points with an infinite or undefined coordinate are ignored.
 pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> =
         (0..points.len()).filter(|&i| points[i].0.is_finite() && points[i].1.is_finite()).collect();

@@ -1,4 +1,4 @@
-//! One configuration run: its error, its strain, its time.
+//! The measurement of a run: error, strain and time.
 
 use std::time::{Duration, Instant};
 
@@ -8,25 +8,25 @@ use super::Start;
 use super::configuration::Configuration;
 use super::reference::{Frames, mean_square, size};
 
-/// A sheet whose error (sheet sizes) or strain has grown beyond this has blown up.
+/// A sheet has blown up if its error (sheet sizes) reaches `LOST` or its strain reaches `TORN`.
 const LOST: f64 = 1.0;
 const TORN: f64 = 100.0;
 
-/// What was seen of a run. Error and strain are infinite where the sheet blew up.
+/// Results of a run. Error and strain are infinite if the sheet blew up.
 #[derive(Clone, Copy, Debug)]
 pub struct Measurement {
-    /// RMS distance from the reference over all particles and frames, over the sheet's size.
+    /// RMS distance from the reference over all particles and frames, divided by the sheet's size.
     pub error: Option<f64>,
     /// The largest strain of a stretch link at the end of any frame.
     pub strain: f64,
-    /// What the frames took.
+    /// Computing time of the frames.
     pub time: Duration,
-    /// Of the state at the end.
+    /// Digest of the final state.
     pub digest: u32,
 }
 
 impl Measurement {
-    /// Runs a configuration for so many frames.
+    /// Runs a configuration for a number of frames.
     pub fn of(
         start: Start,
         scene: &Description,

@@ -1,11 +1,11 @@
-//! Tables and numbers of a page in Markdown.
+//! Pages in Markdown: paragraphs, tables and numbers.
 
 use std::fmt::Write;
 use std::path::Path;
 
 use console::staging::Staged;
 
-/// A page that grows.
+/// A page to which paragraphs, pictures and tables are added.
 #[derive(Clone, Debug, Default)]
 pub struct Page(String);
 
@@ -16,12 +16,12 @@ impl Page {
         self.0.push_str("\n\n");
     }
 
-    /// Adds a picture that stands beside the page.
+    /// Adds a picture from a file in the page's directory.
     pub fn picture(&mut self, words: &str, file: &str) {
         let _ = write!(self.0, "![{words}]({file})\n\n");
     }
 
-    /// Adds a table; all columns but the first hold numbers.
+    /// Adds a table; all columns but the first are right-aligned, for numbers.
     pub fn table(&mut self, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
         let line = |cells: &[&str]| format!("| {} |\n", cells.join(" | "));
         self.0.push_str(&line(head));
@@ -41,7 +41,7 @@ impl Page {
     }
 }
 
-/// Writes a text file, which ends with a line break.
+/// Writes a text file and a line break at its end.
 pub fn write(directory: &Path, name: &str, text: &[u8]) -> Result<(), String> {
     use std::io::Write;
     let mut file = Staged::create(directory, name)?;
@@ -50,7 +50,7 @@ pub fn write(directory: &Path, name: &str, text: &[u8]) -> Result<(), String> {
     file.finish()
 }
 
-/// A table of comma-separated values.
+/// Writes a table of comma-separated values.
 pub fn write_csv<R: serde::Serialize>(directory: &Path, name: &str, rows: &[R]) -> Result<(), String> {
     let mut table = csv::Writer::from_writer(Staged::create(directory, name)?);
     let written = rows.iter().try_for_each(|row| table.serialize(row));
@@ -58,7 +58,7 @@ pub fn write_csv<R: serde::Serialize>(directory: &Path, name: &str, rows: &[R]) 
     table.into_inner().map_err(|error| error.to_string())?.finish()
 }
 
-/// Two digits and a power of ten: `1.2e-4`.
+/// A number with two digits and a power of ten: `1.2e-4`.
 pub fn scientific(value: f64) -> String {
     if value.is_finite() { format!("{value:.1e}") } else { "diverged".to_string() }
 }
@@ -72,7 +72,7 @@ pub fn thousands(count: f64) -> String {
     }
 }
 
-/// A picture.
+/// Writes a picture.
 pub fn write_png(directory: &Path, name: &str, picture: &image::RgbImage) -> Result<(), String> {
     let mut file = Staged::create(directory, name)?;
     let written = picture.write_with_encoder(image::codecs::png::PngEncoder::new(&mut file));

@@ -1,4 +1,4 @@
-//! Plots in SVG: curves over an axis in powers of ten or in plain numbers, with the legend beside them.
+//! Plots in SVG: curves on logarithmic or linear axes, with the legend beside them.
 
 use std::ops::Range;
 use std::path::Path;
@@ -17,7 +17,7 @@ const SIZE: (u32, u32) = (900, 560);
 const LEGEND: i32 = 210;
 const FONT: &str = "sans-serif";
 
-/// Colours that can be told apart by everyone (M. Okabe, K. Ito, *Color universal design*, 2008), without the yellow, which is too light for lines.
+/// Colours that colour-blind readers can distinguish, too (M. Okabe, K. Ito, *Color universal design*, 2008), without the yellow, which is too light for lines.
 pub const COLOURS: [RGBColor; 7] = [
     RGBColor(213, 94, 0),
     RGBColor(0, 114, 178),
@@ -28,7 +28,7 @@ pub const COLOURS: [RGBColor; 7] = [
     RGBColor(70, 70, 70),
 ];
 
-/// What a point looks like.
+/// The mark of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Marker {
     None,
@@ -66,7 +66,7 @@ pub struct Curve {
     pub name: String,
     pub colour: RGBColor,
     pub marker: Marker,
-    /// Pixels; 0 for points alone.
+    /// Width of the line, pixels; 0 draws points only.
     pub width: u32,
     pub points: Vec<(f64, f64)>,
 }
@@ -75,13 +75,13 @@ pub struct Curve {
 #[derive(Clone, Copy, Debug)]
 pub struct Axis<'a> {
     pub words: &'a str,
-    /// In powers of ten.
+    /// Whether the axis is logarithmic.
     pub log: bool,
-    /// What is not between is not drawn.
+    /// Values outside these bounds are not drawn.
     pub bounds: (f64, f64),
 }
 
-/// Curves, the first behind all others, and further lines of the legend.
+/// A plot: its curves, the first one behind all others, and further lines of the legend.
 #[derive(Clone, Debug)]
 pub struct Plot<'a> {
     pub title: &'a str,
@@ -91,13 +91,13 @@ pub struct Plot<'a> {
 }
 
 impl Curve {
-    /// What no point of `(cost, error)` beats, broad and grey behind all others.
+    /// The Pareto front of all points `(cost, error)`, broad and grey.
     pub fn front(points: &[(f64, f64)]) -> Self {
         let colour = RGBColor(205, 205, 205);
         Self { name: "Pareto front".to_string(), colour, marker: Marker::None, width: 9, points: best(points) }
     }
 
-    /// The front of one solver in one number type.
+    /// The Pareto front of one solver in one number type.
     pub fn of(solver: SolverKind, scalar: ScalarKind, points: &[(f64, f64)]) -> Self {
         let name = format!("{} {}", solver.name(), scalar.name());
         Self { name, colour: colour(solver), marker: marker(scalar), width: 1, points: best(points) }
@@ -109,13 +109,13 @@ fn best(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 impl Axis<'_> {
-    /// Where a value stands: its own axis is plain, so that one kind of axis draws both.
+    /// The coordinate of a value on a linear axis; its logarithm for a logarithmic axis, so that one kind of axis draws both.
     fn place(&self, value: f64) -> Option<f64> {
         let inside = value >= self.bounds.0 && value <= self.bounds.1;
         inside.then(|| if self.log { value.log10() } else { value })
     }
 
-    /// From the smallest to the largest value that is drawn, a little more than that.
+    /// The range of the drawn values with a small margin.
     fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
         if low > high {
@@ -142,7 +142,7 @@ fn power(exponent: f64) -> String {
     }
 }
 
-/// A plain axis that writes its numbers as an [`Axis`] says.
+/// A linear axis with the labels of an [`Axis`].
 struct Ticks<'a> {
     axis: Axis<'a>,
     range: RangedCoordf64,
@@ -171,7 +171,7 @@ impl Ranged for Ticks<'_> {
             |step: i32| (start.ceil() as i32..=end.floor() as i32).filter(move |k| k % step == 0).map(f64::from);
         let powers: Vec<f64> = whole(1).collect();
         match powers.len() {
-            // 1, 2, 5 in every power where there are few
+            // Ticks at 1, 2 and 5 if there are few powers of ten.
             0..=2 => {
                 let fine = (start.floor() as i32..=end.ceil() as i32)
                     .flat_map(|k| [1.0_f64, 2.0, 5.0].map(|digit| f64::from(k) + digit.log10()));
@@ -237,7 +237,7 @@ impl Plot<'_> {
         Ok(())
     }
 
-    /// A curve in its places, interrupted where it is out of bounds.
+    /// The points of a curve on the axes, in pieces: the curve is interrupted where it is out of bounds.
     fn pieces(&self, curve: &Curve) -> Vec<Vec<(f64, f64)>> {
         let [x, y] = self.axes;
         let mut pieces = vec![Vec::new()];

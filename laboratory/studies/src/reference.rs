@@ -1,4 +1,4 @@
-//! The solution that errors are measured against: leapfrog in `f64` with its substeps doubled until nothing changes.
+//! The reference solution for errors: leapfrog in `f64`, whose substeps are doubled until the extrapolated solution converges.
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -11,35 +11,34 @@ use super::Start;
 use super::configuration::Configuration;
 use console::staging::{self, Staged};
 
-/// Substeps to begin with.
+/// Substeps of the first solution.
 const FEWEST: u32 = 64;
-/// Substeps to end with, converged or not.
+/// The most substeps, converged or not.
 const MOST: u32 = 4096;
-/// A solution that blew up is further away from where it should be, sheet sizes.
+/// A solution has blown up if its RMS distance from the start is larger, sheet sizes.
 const LOST: f64 = 10.0;
 
 /// Positions at the ends of frames, m.
 pub type Frames = Vec<Vec<[f64; 3]>>;
 
-/// A solution and how far it has converged.
+/// A solution and its convergence.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Reference {
-    /// The scene's text, by which it is recognised.
+    /// The scene's text. It identifies a cached solution.
     scene: String,
-    /// Where every particle is at the end of every frame, m: the limit that solutions of `substeps` and half as many point to, by Richardson's
-    /// extrapolation.
+    /// Position of every particle at the end of every frame, m: Richardson's extrapolation from the solutions with `substeps` and with half as many.
     pub positions: Frames,
     /// The most substeps per frame.
     pub substeps: u32,
-    /// RMS distance over all particles and frames to what half as many substeps gave, over the sheet's size.
+    /// RMS distance over all particles and frames from the extrapolation from half as many substeps, divided by the sheet's size.
     pub difference: f64,
-    /// The order seen without extrapolation, from the last three solutions.
+    /// The observed order without extrapolation, from the last three solutions.
     pub order: Option<f64>,
     tolerance: f64,
 }
 
 impl Reference {
-    /// The solution of a scene, from `cache` if it is there.
+    /// The solution of a scene. It is read from `cache` if it is there, and stored there otherwise.
     pub fn of(
         start: Start,
         text: &str,
@@ -103,7 +102,7 @@ pub fn size(scene: &Description) -> f64 {
     scene.sheet.width.max(scene.sheet.height)
 }
 
-/// Root of the mean squared distance of all particles at all times, m.
+/// RMS distance of all particles at all times, m.
 pub fn rms(a: &Frames, b: &Frames) -> f64 {
     let mean = |(a, b): (&Vec<[f64; 3]>, &Vec<[f64; 3]>)| mean_square(a, b);
     (a.iter().zip(b).map(mean).sum::<f64>() / a.len() as f64).sqrt()
@@ -115,13 +114,13 @@ pub fn mean_square(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     a.iter().zip(b).map(square).sum::<f64>() / a.len() as f64
 }
 
-/// What solutions of a method of second order point to.
+/// Richardson's extrapolation for a method of second order.
 fn extrapolate(fine: &Frames, coarse: &Frames) -> Frames {
     let particle = |(f, c): (&[f64; 3], &[f64; 3])| core::array::from_fn(|k| (4.0 * f[k] - c[k]) / 3.0);
     fine.iter().zip(coarse).map(|(fine, coarse)| fine.iter().zip(coarse).map(particle).collect()).collect()
 }
 
-/// Where every particle is at the end of every frame, m; nothing if the sheet blew up.
+/// Position of every particle at the end of every frame, m; `None` if the sheet blew up.
 pub fn record(
     start: Start,
     scene: &Description,
@@ -135,7 +134,7 @@ pub fn record(
     for _ in 0..frames {
         moving.frame();
         let now = moving.still().positions;
-        // Undefined is not near either.
+        // An undefined distance counts as far.
         let is_near = mean_square(&now, &first).sqrt() < furthest;
         if !is_near {
             return Ok(None);

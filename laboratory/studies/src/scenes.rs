@@ -11,19 +11,19 @@ macro_rules! scenes {
     };
 }
 scenes! {
-    /// The scenes of the solver's goals.
+    /// Scenes for the goals of the line solver.
     GOALS: "two-corners-16" "two-corners-32" "top-edge-32" "flag-32" "ball-32"
         "two-corners-16-stiff" "two-corners-32-stiff" "ball-32-stiff" "upright-32"
 }
 scenes! {
-    /// Scenes that show every solver's order, without and with forces that depend on velocities.
+    /// Scenes that show every solver's order: one without and one with forces that depend on velocities.
     ORDERS: "swing-8" "breeze-8"
 }
 
-/// Scenes of which only the strain is measured: a solution in time to the precision of interest is out of reach.
+/// Scenes in which only the strain is measured: their motion cannot be solved to the precision of interest.
 pub const STRAIN_ONLY: [&str; 4] = ["two-corners-16-stiff", "two-corners-32-stiff", "ball-32-stiff", "upright-32"];
 
-/// Every scene that has a name.
+/// All named scenes.
 pub fn named() -> Vec<BuiltIn> {
     GOALS.iter().chain(ORDERS).chain(BUILT_IN).copied().collect()
 }

@@ -1,4 +1,4 @@
-//! Pictures side by side, each with a line of words.
+//! Pictures side by side, each with a caption.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_10X20};
 use embedded_graphics::pixelcolor::{Rgb888, WebColors};
@@ -7,11 +7,11 @@ use embedded_graphics::text::{Alignment, Text};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use image::{Rgb, RgbImage, imageops};
 
-/// The height of the line under a picture, and the gap between two, pixels.
+/// The height of a caption, and the gap between two pictures, pixels.
 const LINE: u32 = 32;
 const GAP: u32 = 8;
 
-/// Pictures of one size side by side, with words under each.
+/// Pictures of equal size side by side, each above its caption.
 pub fn strip(panels: &[(RgbImage, String)]) -> RgbImage {
     let (width, height) = panels.first().map_or((0, 0), |(picture, _)| picture.dimensions());
     let count = panels.len() as u32;

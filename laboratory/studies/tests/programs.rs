@@ -1,4 +1,4 @@
-//! The laboratory's programs: what they write, and what they refuse.
+//! The laboratory's programs: output and refusals.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -7,7 +7,7 @@ use std::process::{Command, Output};
 
 use tempfile::TempDir;
 
-/// A sheet for which operations are counted, and so soft that its reference is there in an instant.
+/// A sheet whose operations are counted, and so soft that its reference is computed in an instant.
 const SMALL: &str = r#"
 name = "small"
 [cloth]
@@ -42,7 +42,7 @@ fn program(name: &str) -> Command {
     })
 }
 
-/// A place to run in, with the scenes `small.toml` and `tiny.toml`.
+/// A working directory with the scenes `small.toml` and `tiny.toml`.
 fn room() -> TempDir {
     let room = tempfile::tempdir().unwrap();
     fs::write(room.path().join("small.toml"), SMALL).unwrap();
@@ -55,7 +55,7 @@ fn run(room: &Path, name: &'static str, args: &[&str]) -> Output {
     program(name).current_dir(room).args(args).output().unwrap()
 }
 
-/// Asserts that a program runs and says nothing on stderr.
+/// Asserts that a program succeeds and prints nothing on stderr.
 fn succeeds(room: &Path, name: &'static str, args: &[&str]) -> String {
     let output = run(room, name, args);
     let stderr = String::from_utf8(output.stderr).unwrap();
@@ -63,7 +63,7 @@ fn succeeds(room: &Path, name: &'static str, args: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// Asserts one line on stderr that holds `reason`, exit status 2, and nothing written.
+/// Asserts one line on stderr that contains `reason`, exit status 2, and no new files.
 fn refuses(room: &Path, name: &'static str, args: &[&str], reason: &str) {
     let before = names(room);
     let output = run(room, name, args);
@@ -82,14 +82,14 @@ fn names(directory: &Path) -> Vec<String> {
     names
 }
 
-/// A table by its columns.
+/// The head of a table, and its rows by column names.
 fn table(path: &Path) -> (Vec<String>, Vec<BTreeMap<String, String>>) {
     let mut reader = csv::Reader::from_path(path).unwrap();
     let head = reader.headers().unwrap().iter().map(String::from).collect();
     (head, reader.deserialize().map(Result::unwrap).collect())
 }
 
-/// Asserts that a file is a plot: well-formed as far as its elements go, with words on both axes and so many curves or more.
+/// Asserts that a file is a plot: its elements are nested correctly, it contains `words`, and it has at least this number of curves.
 fn assert_plot(path: &Path, words: &[&str], curves: usize) {
     let svg = fs::read_to_string(path).unwrap();
     assert!(svg.starts_with("<svg ") && svg.ends_with("</svg>\n"), "{}", path.display());
@@ -155,7 +155,7 @@ fn errors_are_put_against_operations() {
         assert!(number(row, "error") < 0.2 && number(row, "strain") > 0.0, "{row:?}");
         assert_eq!(row["instructions"], "");
     }
-    // more substeps cost more and are closer
+    // More substeps cost more and have smaller errors.
     let lines: Vec<_> = rows.iter().filter(|row| row["solver"] == "lines" && row["scalar"] == "f32").collect();
     for pair in lines.windows(2) {
         assert!(number(pair[0], "operations") < number(pair[1], "operations"), "{pair:?}");
@@ -183,7 +183,7 @@ fn instructions_are_counted_where_valgrind_is() {
     let (_, rows) = table(&out.join("work_precision.csv"));
     let counts: Vec<f64> = rows.iter().map(|row| row["instructions"].parse().unwrap()).collect();
     assert_eq!(counts.len(), 3);
-    // a frame of twice as many substeps
+    // Each configuration has twice as many substeps as the one before.
     for pair in counts.windows(2) {
         let ratio = pair[1] / pair[0];
         assert!((1.8..2.2).contains(&ratio), "{counts:?}");
@@ -209,7 +209,7 @@ fn orders_energies_and_floors() {
         let row = rows.iter().find(|row| row["solver"] == solver && row["substeps"] == substeps).unwrap();
         row["error"].parse::<f64>().unwrap()
     };
-    // of a substep this short fixed point has too few digits of a spring
+    // In substeps this short, fixed point does not represent the springs.
     let args =
         ["tiny.toml", "--substeps", "32,1500", "--frames", "1", "--energy-scene", "tiny.toml", "--seconds", "0.1"];
     succeeds(room, "convergence", &[&args[..], &["--out", "fine"]].concat());
@@ -250,7 +250,7 @@ fn grids_and_parameters() {
     assert!(picture.width() > 3 * 300 && picture.pixels().any(|pixel| pixel.0 != [255; 3]));
 }
 
-/// Leapfrog ends where theory says, lines hold everywhere.
+/// Leapfrog becomes unstable at its theoretical limit. The line solver is stable everywhere.
 #[test]
 fn maps_of_stability() {
     let room = room();

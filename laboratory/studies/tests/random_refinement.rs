@@ -1,6 +1,6 @@
-//! Shorter steps are more accurate: random sheets in the hands of every solver and number type, held against the rig's own solution.
+//! Shorter steps are more accurate: random sheets by every solver in every number type, compared with the rig's reference solution.
 //!
-//! `PROPTEST_CASES=500 cargo test --release -p laboratory --test random_refinement` looks longer.
+//! `PROPTEST_CASES=500 cargo test --release -p laboratory --test random_refinement` tests more cases.
 
 use std::fmt::Write;
 
@@ -18,18 +18,18 @@ const N: usize = 8;
 const FRAME: f64 = 1.0 / 60.0;
 /// Frames of a run.
 const FRAMES: u32 = 30;
-/// By how much a finer run refines.
+/// Factor on the substeps of a finer run.
 const FINER: u32 = 4;
 
-/// How much larger than the coarse run's error the fine run's may be. An error that changes its sign between two steps is small by chance.
+/// The largest allowed ratio of the fine run's error to the coarse run's. The coarse error may be small by chance: it may change its sign between two steps.
 const FACTOR: f64 = 1.5;
-/// Sheet sizes: an error that rounding may make of a smaller one, in floats and in fixed point, where in short steps the last place is a coarse force.
+/// Fine errors up to this may be due to rounding, sheet sizes: in floats, and in fixed point, where in short steps the last place corresponds to a large force.
 const ACCURATE: f64 = 2e-4;
 const ROUNDED: f64 = 4e-3;
-/// Sheet sizes: the error from which on a run has nothing in common with the solution.
+/// Coarse runs with a larger error are not compared, sheet sizes: they have nothing in common with the solution.
 const LOST: f64 = 0.1;
 
-/// The solvers, as most users run them.
+/// All solvers with usual settings.
 const METHODS: [Method; 6] =
     [Method::ForwardEuler, Method::BackwardEuler, Method::Leapfrog, Method::Verlet(4), Method::Xpbd, Method::Lines(2)];
 
@@ -37,7 +37,7 @@ const METHODS: [Method; 6] =
 enum Start {
     Laid,
     Hung,
-    /// Laid, and its far half folded over the near one.
+    /// Laid flat, with the far half folded over the near one.
     Folded,
 }
 
@@ -55,7 +55,7 @@ struct Scene {
     start: Start,
     pins: Pins,
     size: f64,
-    /// How much its own weight stretches the sheet.
+    /// Approximate strain of the sheet by its own weight.
     strain: f64,
     shear: f64,
     bend: f64,
@@ -105,7 +105,7 @@ impl Scene {
         Model { families, gravity: GRAVITY, drag: self.drag, ..Model::new(sheet) }
     }
 
-    /// The start without any symmetry, so that no rounding decides where the sheet goes.
+    /// The start without any symmetry, so that rounding does not decide the direction of motion.
     fn state(&self, model: &Model) -> State {
         let mut state = stirred(model);
         if matches!(self.start, Start::Folded) {
@@ -126,7 +126,7 @@ impl Scene {
     }
 }
 
-/// Where the sheet ends by the rig, if that depends little on where it starts and how finely it is computed.
+/// The final state by the rig, if it depends little on the start and on the step.
 fn solution(model: &Model, start: &State) -> Option<State> {
     let ode = model.ode();
     let time = FRAME * f64::from(FRAMES);
@@ -143,7 +143,7 @@ fn solution(model: &Model, start: &State) -> Option<State> {
     (error(model, &exact, &near) < 2e-4).then_some(exact)
 }
 
-/// The error of a run; infinite where it is undefined.
+/// The error of a run; infinite if it is undefined.
 fn run<S: Scalar>(model: &Model, start: &State, exact: &State, method: Method, substeps: u32) -> f64 {
     let mut motion = moved::<S, N, N>(model, Pace::new(FRAME, substeps), method);
     motion.set(start);
@@ -152,12 +152,12 @@ fn run<S: Scalar>(model: &Model, start: &State, exact: &State, method: Method, s
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Known to fail: steps so short that the corrections of a soft spring are a few last places in `Q13`.
+/// Known failures: steps so short that the corrections of a soft spring are only a few last places in `Q13`.
 fn is_excluded<S: Scalar>(method: Method, substeps: u32) -> bool {
     matches!(method, Method::Verlet(_) | Method::Xpbd) && S::NAME == Q13::NAME && substeps >= 24
 }
 
-/// The runs that finer steps made worse.
+/// The runs that became worse with finer steps.
 fn worse<S: Scalar>(scene: &Scene, model: &Model, start: &State, exact: &State) -> String {
     let mut found = String::new();
     let accurate = if S::EXACT_SUMS { ROUNDED } else { ACCURATE };
@@ -174,7 +174,7 @@ fn worse<S: Scalar>(scene: &Scene, model: &Model, start: &State, exact: &State) 
     found
 }
 
-/// As many cases as the environment asks for, others in every run; or a few, always the same.
+/// The number of cases of `PROPTEST_CASES`, with a new seed in every run; or a few cases that are always the same.
 fn config() -> ProptestConfig {
     let asked = std::env::var_os("PROPTEST_CASES").is_some();
     let usual = ProptestConfig::default();

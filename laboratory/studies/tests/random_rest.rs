@@ -1,6 +1,6 @@
-//! Damped sheets come to rest: random cloth by every solver in every number type, with the default `[rest]`, in `Q13` one of 5 mm/s.
+//! Damped sheets come to rest: random cloth by every solver that is stable for any step, in every number type, with the default `[rest]` but a speed of 5 mm/s in `Q13`.
 //!
-//! `PROPTEST_CASES=500 cargo test --release -p laboratory --test random_rest` looks longer.
+//! `PROPTEST_CASES=500 cargo test --release -p laboratory --test random_rest` tests more cases.
 
 use std::fmt::Write;
 
@@ -11,18 +11,18 @@ use proptest::sample::select;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngSeed, TestRunner};
 
-/// How long a sheet may take, s.
+/// The longest time until rest, s.
 const PATIENCE: f64 = 120.0;
 
 /// Solvers that are stable for any step.
 const SOLVERS: [SolverKind; 4] = [SolverKind::Lines, SolverKind::Xpbd, SolverKind::Verlet, SolverKind::BackwardEuler];
 
-/// A number between two, as often small as large.
+/// A number between two, with an evenly distributed logarithm.
 fn between(low: f64, high: f64) -> impl Strategy<Value = f64> {
     (low.ln()..high.ln()).prop_map(f64::exp)
 }
 
-/// Cloth of 0.2 kg/m², laid or hung, held at corners or by an edge: one that hangs from a single particle turns about it (`symptoms/turns`).
+/// Cloth of 0.2 kg/m², laid or hung, pinned at corners or along an edge. A sheet that hangs from a single particle is excluded: it turns about it (`symptoms/turns`).
 fn scene() -> impl Strategy<Value = Description> {
     let sheet = (
         select(&[[4, 4], [8, 8], [12, 12], [16, 16], [24, 16]][..]),
@@ -31,7 +31,7 @@ fn scene() -> impl Strategy<Value = Description> {
         select(&["\"corners\"", "\"top-corners\"", "\"top\"", "\"left\""][..]),
         select(&["", "hem = 2.0", "hem = 0.5"][..]),
     );
-    // by how much its own weight stretches the sheet; shear and bend springs over stretch springs
+    // The strain of the sheet by its own weight; stiffness of shear and bend springs relative to stretch springs.
     let springs = (between(1e-3, 0.03), between(0.02, 1.0), between(1e-3, 0.3));
     let pace = (between(1.0, 6.0), select(&[120_u32, 60, 30][..]), select(&[1_u32, 2, 3, 4, 8, 16][..]));
     (sheet, springs, pace).prop_map(
@@ -49,7 +49,7 @@ fn scene() -> impl Strategy<Value = Description> {
     )
 }
 
-/// The speed that counts as rest in `Q13`, m/s: where substeps are split each part adds its tremble, which the default doesn't know of.
+/// The speed that counts as rest in `Q13`, m/s. If substeps are split, each part adds its own rounding noise, which the default does not include.
 const TREMBLE: f64 = 5e-3;
 
 /// Whether the sheet comes to rest.
@@ -59,7 +59,7 @@ fn rests(scene: &Description, scalar: ScalarKind) -> bool {
         rest.speed = TREMBLE;
     }
     let Ok(mut sheet) = simulation(&scene, scalar) else {
-        return true; // fixed point refuses what it can't hold
+        return true; // Fixed point refuses a scene with constants that it does not represent.
     };
     let frames = (PATIENCE / scene.solver.step) as u32;
     (0..frames).any(|_| {
@@ -68,7 +68,7 @@ fn rests(scene: &Description, scalar: ScalarKind) -> bool {
     })
 }
 
-/// As many cases as the environment asks for, others in every run; or a few, always the same.
+/// The number of cases of `PROPTEST_CASES`, with a new seed in every run; or a few cases that are always the same.
 fn config() -> ProptestConfig {
     let asked = std::env::var_os("PROPTEST_CASES").is_some();
     let usual = ProptestConfig::default();
@@ -76,7 +76,7 @@ fn config() -> ProptestConfig {
     ProptestConfig { cases, rng_seed, failure_persistence: None, ..usual }
 }
 
-/// All but one run in sixteen, and one in eight of each solver: docs/line-solver.md says what still shakes.
+/// At most one run in sixteen, and one in eight of each solver, may not rest. docs/line-solver.md describes the sheets that still shake.
 #[test]
 fn damped_sheets_come_to_rest() {
     let (mut restless, mut runs, mut awake) = (String::new(), 0, [0; SOLVERS.len()]);

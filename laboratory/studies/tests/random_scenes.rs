@@ -1,8 +1,8 @@
-//! Scenes and states that nobody would write: none panics, none hangs, what a stable solver moves stays finite, and fixed point leaves its range only where
-//! the scene does.
+//! Random scenes and states that nobody would write: none of them panics or hangs, and stable solvers keep all numbers finite. In fixed point a particle leaves the range only in
+//! scenes that come near its limit, or are overstretched, in `f64` as well.
 //!
-//! `PROPTEST_CASES=3000 cargo test --release -p laboratory --test random_scenes` looks longer. What it finds is kept in `random_scenes.regressions` and tried first. The fuzzers of
-//! `tests/fuzz` look where the code has been least; what they keep is played here too.
+//! `PROPTEST_CASES=3000 cargo test --release -p laboratory --test random_scenes` tests more cases. Failures are stored in `random_scenes.regressions` and are tried first. The
+//! fuzzers of `tests/fuzz` look for inputs that reach new code; their corpus is played here, too.
 
 use std::fmt::Write;
 use std::fs;
@@ -24,7 +24,7 @@ fn vector(largest: f64) -> impl Strategy<Value = [f64; 3]> {
     [-largest..largest, -largest..largest, -largest..largest]
 }
 
-/// Tables that a scene may have or not.
+/// Optional tables of a scene.
 fn extras() -> impl Strategy<Value = String> {
     let wind = (vector(30.0), select(&["facet", "aerodynamic", "panel"][..]))
         .prop_map(|(velocity, model)| format!("wind = {{ velocity = {velocity:?}, model = \"{model}\" }}\n"));
@@ -83,7 +83,7 @@ fn scene() -> impl Strategy<Value = String> {
     })
 }
 
-/// Pieces of scene files, torn out and put elsewhere.
+/// Scene files with pieces replaced by random text.
 fn torn() -> impl Strategy<Value = String> {
     let tear = (any::<Index>(), any::<Index>(), "[-\\[\\]{}=.,\"'# \\n0-9a-z\\x00é€]{0,6}");
     (any::<Index>(), proptest::collection::vec(tear, 1..6)).prop_map(|(scene, tears)| {
@@ -96,11 +96,11 @@ fn torn() -> impl Strategy<Value = String> {
     })
 }
 
-/// The part of fixed point's range that a sheet may use: within a frame it may be further out than at its end, and links between particles are up to twice as long.
+/// The part of fixed point's range that a sheet may use at the ends of frames. Within a frame it may be further out, and links between particles are up to twice as long.
 const ROOM: f64 = 0.4;
 
-/// Whether wind of the facet model, which does not weaken with the sheet's velocity and grows with the area that it stretches, carries the sheet away, pulls
-/// harder than its springs, or blows light particles beyond the sheet within a substep: it whirls them faster and faster.
+/// Whether wind of the facet model moves the sheet without bound. This wind does not weaken with the sheet's velocity, and grows with the stretched area. It is too strong if
+/// it carries a free sheet away, exceeds the springs' forces, or displaces light particles by more than the sheet's size within a substep, and whirls them faster and faster.
 fn is_unbounded(scene: &Description) -> bool {
     let speed = |wind: Wind| wind.velocity.iter().map(|v| v * v).sum::<f64>().sqrt();
     let facets = scene.wind.filter(|wind| wind.model == WindModel::Facet).map_or(0.0, speed);
@@ -114,7 +114,7 @@ fn is_unbounded(scene: &Description) -> bool {
     facets > 0.0 && sheet.pins.is_empty() || facets * width * height > 0.01 * stiffness * size || blown > size
 }
 
-/// What was seen of a scene in motion.
+/// Results of a run.
 #[derive(Debug, PartialEq)]
 struct Seen {
     digest: u32,
@@ -125,7 +125,7 @@ struct Seen {
     strain: f64,
 }
 
-/// Some frames of it; nothing where the number type does not hold the scene.
+/// Runs some frames; `None` if the number type refuses the scene.
 fn played(scene: &Description, scalar: ScalarKind) -> Option<Seen> {
     let mut simulation = match simulation(scene, scalar) {
         Ok(simulation) => simulation,
@@ -143,14 +143,14 @@ fn played(scene: &Description, scalar: ScalarKind) -> Option<Seen> {
     Some(Seen { digest: simulation.digest(), finite: simulation.is_finite(), reach, strain })
 }
 
-/// How far fixed point goes, m: 128 cells.
+/// The range of fixed point, m: 128 cells.
 fn range(scene: &Description) -> f64 {
     let sheet = &scene.sheet;
     let side = |size: f64, particles: usize| if particles > 1 { size / (particles - 1) as f64 } else { 0.0 };
     128.0 * side(sheet.width, sheet.columns).max(side(sheet.height, sheet.rows))
 }
 
-/// As many cases as the environment asks for, others in every run; or this many, always the same.
+/// The number of cases of `PROPTEST_CASES`, with a new seed in every run; or `cases` cases that are always the same.
 fn config(cases: u32) -> ProptestConfig {
     let asked = std::env::var_os("PROPTEST_CASES").is_some();
     let usual = ProptestConfig::default();
@@ -169,7 +169,7 @@ proptest! {
         for kind in [SolverKind::Lines, SolverKind::Xpbd, SolverKind::Verlet, SolverKind::BackwardEuler] {
             scene.solver.kind = kind;
             let exact = played(&scene, ScalarKind::F64);
-            // what tears the others in f64 as well may fly off
+            // A sheet that other solvers overstretch in f64 may fly off in fixed point.
             let torn = |seen: &Seen| seen.strain > 1.0 && kind != SolverKind::Lines;
             let stays = exact.as_ref().is_some_and(|seen| seen.reach < ROOM * range(&scene) && !torn(seen));
             for scalar in ScalarKind::ALL {
@@ -205,7 +205,7 @@ proptest! {
     }
 }
 
-/// What the fuzzers found worth keeping: [`fuzz`](https://rust-fuzz.github.io/book/) targets in `tests/fuzz`.
+/// The corpus of a fuzzer: a [`fuzz`](https://rust-fuzz.github.io/book/) target in `tests/fuzz`.
 fn corpus(target: &str) -> Vec<Vec<u8>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/fuzz/corpus").join(target);
     let files = fs::read_dir(&folder).expect("a corpus");

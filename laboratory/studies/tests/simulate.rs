@@ -1,4 +1,4 @@
-//! The program `simulate`: what it refuses, and what it writes.
+//! The program `simulate`: refusals and output.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -43,7 +43,7 @@ frames = 10
 fn program() -> Command {
     static PATH: OnceLock<PathBuf> = OnceLock::new();
     let build = || {
-        // with the packages that `tests/run` builds together, so that what it has built is what this needs
+        // The same set of packages as in `tests/run`, so that its build is reused.
         let tested = std::env::var("KERCHIEF_TESTED");
         escargot::CargoBuild::new()
             .manifest_path(concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml"))
@@ -55,7 +55,7 @@ fn program() -> Command {
     Command::new(PATH.get_or_init(|| build().run().expect("the example builds").path().to_path_buf()))
 }
 
-/// A place to run in, with the scene `small.toml`.
+/// A working directory with the scene `small.toml`.
 fn room() -> TempDir {
     let room = tempfile::tempdir().unwrap();
     fs::write(room.path().join("small.toml"), SMALL).unwrap();
@@ -71,7 +71,7 @@ fn run(room: &Path, args: &[&str]) -> Output {
     program().current_dir(room).args(args).output().unwrap()
 }
 
-/// Asserts that the program runs and says nothing on stderr.
+/// Asserts that the program succeeds and prints nothing on stderr.
 fn succeeds(room: &Path, args: &[&str]) -> String {
     let output = run(room, args);
     let stderr = String::from_utf8(output.stderr).unwrap();
@@ -79,7 +79,7 @@ fn succeeds(room: &Path, args: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// Asserts one line on stderr that holds `reason`, exit status 2, and nothing written.
+/// Asserts one line on stderr that contains `reason`, exit status 2, and no new files.
 fn refuses(room: &Path, args: &[&str], reason: &str) {
     let before = names(room);
     let output = run(room, args);
@@ -170,7 +170,7 @@ fn directories_that_cannot_be_written() {
     refuses(room.path(), &["small.toml", "--out", "/proc/none/of/this"], "--out: /proc/none/of/this: ");
 }
 
-/// A disk that is full, here by a limit on the size of files: whatever was there stays as it was, and nothing stands beside it.
+/// A full disk, here simulated by a limit on the size of files: the files of the run before stay unchanged, and no temporary file is left.
 #[test]
 #[cfg(unix)]
 fn a_full_disk_leaves_what_was_there() {
@@ -179,7 +179,7 @@ fn a_full_disk_leaves_what_was_there() {
     succeeds(room, &["small.toml", "--csv", "--gif", "--png", "--every", "5"]);
     let before = contents(&room.join("out"));
     for kind in ["--csv", "--gif", "--png"] {
-        // blocks of 512 bytes; without the signal a write fails as on a full disk
+        // The limit is in blocks of 512 bytes. With the signal ignored, a write fails as on a full disk.
         let output = Command::new("sh")
             .args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$@\"", "sh"])
             .arg(program().get_program())
@@ -194,7 +194,7 @@ fn a_full_disk_leaves_what_was_there() {
     }
 }
 
-/// A directory in the place of one file: none of the others is written.
+/// If a directory has the name of one output file, none of the other files is written.
 #[test]
 fn a_place_that_is_taken() {
     let room = room();
@@ -208,7 +208,7 @@ fn a_place_that_is_taken() {
     }
 }
 
-/// Starts a run of many hours, and returns when it has written something beside its place.
+/// Starts a run of many hours, and returns when it has written a part of its temporary file.
 #[cfg(unix)]
 fn interrupted(command: &mut Command, room: &Path) -> std::process::Child {
     let long = ["small.toml", "--csv", "--frames", "1000000", "--solver", "lines"];
@@ -216,7 +216,7 @@ fn interrupted(command: &mut Command, room: &Path) -> std::process::Child {
     let staged = || {
         fs::read_dir(room.join("out")).unwrap().any(|entry| {
             let entry = entry.unwrap();
-            // what it tries the place with may be gone again
+            // The probe file may be deleted between the two calls.
             entry.file_name().to_string_lossy().starts_with('.')
                 && entry.metadata().is_ok_and(|file| file.len() > 100_000)
         })
@@ -229,7 +229,7 @@ fn interrupted(command: &mut Command, room: &Path) -> std::process::Child {
     running
 }
 
-/// Sends a signal, and returns the exit status if it ends the program.
+/// Sends a signal. Returns the exit status if the program ends within `patience`.
 #[cfg(unix)]
 fn signal(running: &mut std::process::Child, signal: &str, patience: Duration) -> Option<std::process::ExitStatus> {
     let sent = Command::new("sh").arg("-c").arg(format!("kill -{signal} {}", running.id())).status().unwrap();
@@ -244,7 +244,7 @@ fn signal(running: &mut std::process::Child, signal: &str, patience: Duration) -
     None
 }
 
-/// Interrupted in the middle of a run: what was there stays as it was, and nothing stands beside it.
+/// A signal in the middle of a run: the files of the run before stay unchanged, and no temporary file is left.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_signal_leaves_what_was_there() {
@@ -253,7 +253,7 @@ fn a_signal_leaves_what_was_there() {
     succeeds(room, &["small.toml", "--csv"]);
     let before = contents(&room.join("out"));
     for (name, number) in [("INT", 2), ("TERM", 15), ("HUP", 1), ("QUIT", 3)] {
-        // a test that was itself started to ignore the signal passes that on
+        // A test process that ignores the signal would pass this on to the program.
         let mut running = interrupted(Command::new("env").arg("--default-signal").arg(program().get_program()), room);
         let status = signal(&mut running, name, Duration::from_secs(60));
         let _ = running.kill();
@@ -269,7 +269,7 @@ fn a_signal_leaves_what_was_there() {
     assert_eq!(ignored, None, "as with nohup");
 }
 
-/// The most memory that the program had, kB: what the system last said before it ended.
+/// The program's peak memory, kB, as the system reported it last before the program ended.
 #[cfg(target_os = "linux")]
 fn peak_memory(room: &Path, args: &[&str]) -> u64 {
     use std::process::Stdio;
@@ -286,14 +286,14 @@ fn peak_memory(room: &Path, args: &[&str]) -> u64 {
     peak
 }
 
-/// What is recorded for pictures is on the disk. In memory 1500 moments of this sheet are 147 MB.
+/// Stills for pictures are recorded on the disk. In memory 1500 stills of this sheet would take 147 MB.
 #[test]
 #[cfg(target_os = "linux")]
 fn memory_does_not_grow_with_frames() {
     let room = room();
     let room = room.path();
     let large = SMALL.replace("columns = 4\nrows = 4", "columns = 64\nrows = 64").replace("[3, 0]", "[63, 0]");
-    // so short that the animation has two pictures
+    // A run so short that the animation has two pictures.
     let large = large.replace("step = 0.02\nsubsteps = 4", "step = 2e-5\nsubsteps = 1");
     fs::write(room.join("large.toml"), large).unwrap();
     for kinds in [&["--gif"][..], &["--gif", "--png", "--every", "1000"]] {
@@ -303,7 +303,7 @@ fn memory_does_not_grow_with_frames() {
     }
 }
 
-/// A file without an end, or one that would be a hundred times as large in memory.
+/// An endless file, a file that is too large, and a file that would take a hundred times its size in memory.
 #[test]
 #[cfg(target_os = "linux")]
 fn scene_files_without_bound_are_refused() {
@@ -328,7 +328,7 @@ fn scene_files_without_bound_are_refused() {
     assert!(stderr.contains("pins.toml: line 10: more than 262144 values"), "{stderr}");
 }
 
-/// Whatever a scene or a file is called, a terminal is told nothing but text.
+/// No name of a scene or a file sends control characters to a terminal.
 #[test]
 #[cfg(unix)]
 fn control_characters_are_not_printed() {
@@ -358,7 +358,7 @@ fn control_characters_are_not_printed() {
     assert!(stdout.contains(r"\u{1b}[31mred\u{9b}\u{202e}"), "{stdout}");
 }
 
-/// Paths are bytes, not text.
+/// Paths need not be valid UTF-8.
 #[test]
 #[cfg(target_os = "linux")]
 fn paths_that_are_not_text() {
@@ -378,7 +378,7 @@ fn paths_that_are_not_text() {
     assert!(String::from_utf8(missing.stderr).unwrap().starts_with("error: \u{fffd}.toml: "));
 }
 
-/// Killed in the middle of a run: the complete files of the run before stay complete.
+/// A kill in the middle of a run: the files of the run before stay unchanged.
 #[test]
 #[cfg(unix)]
 fn an_interrupted_run_leaves_what_was_there() {
@@ -394,7 +394,7 @@ fn an_interrupted_run_leaves_what_was_there() {
     assert!(after == before, "the old files changed");
 }
 
-/// The files of a directory.
+/// The names and contents of the files of a directory.
 fn contents(directory: &Path) -> BTreeMap<String, Vec<u8>> {
     names(directory).into_iter().map(|name| (name.clone(), fs::read(directory.join(name)).unwrap())).collect()
 }
@@ -492,7 +492,7 @@ fn positions_are_those_of_the_recorded_frames() {
     assert_eq!(lines.next(), None);
 }
 
-/// The numbers behind a word in each line of an OBJ that begins with it.
+/// The numbers in the lines of an OBJ file that begin with `word`.
 fn obj_lines(text: &str, word: &str) -> Vec<Vec<f64>> {
     let lines = text.lines().filter_map(|line| line.strip_prefix(word)?.strip_prefix(' '));
     let numbers = |line: &str| line.split([' ', '/']).map(|number| number.parse().unwrap()).collect();
@@ -616,7 +616,7 @@ fn the_report_has_its_keys_in_order() {
     assert!(stdout.contains(&format!("{:#010x}", simulation.digest())), "{stdout}");
 }
 
-/// A built-in scene of a sheet that meets itself: the report says so, and counts how often it passes through itself.
+/// A built-in scene of a sheet with self-contact: the report has the number of contacts and the number of self-intersections.
 #[test]
 fn a_sheet_that_meets_itself_is_reported() {
     let room = room();
@@ -634,10 +634,10 @@ fn a_sheet_that_meets_itself_is_reported() {
     assert!(without["self_intersections"].as_u64().unwrap() > 1000 && !without.contains_key("self_contacts"));
 }
 
-/// Something that happens to a sheet at rest.
+/// A change to a sheet at rest.
 type Disturb = fn(&mut dyn Simulation);
 
-/// `[rest]` saves work, not truth: the sheet comes to the same end, and goes on when it is disturbed.
+/// `[rest]` saves computation without changing the result: the sheet has the same final state, and moves again when it is disturbed.
 #[test]
 fn a_sheet_at_rest_is_not_computed() {
     let room = room();
@@ -673,7 +673,7 @@ fn a_sheet_at_rest_is_not_computed() {
         }),
     ];
     for (what, disturb) in disturbances {
-        // anew, because XPBD turns a sheet on one pin and a ball by 0.6 mm/s for good
+        // A new simulation each time: by XPBD, a sheet on one pin and a ball turns at 0.6 mm/s forever and never rests again.
         let mut resting = simulation(&scene, ScalarKind::F32).unwrap();
         (0..1000).for_each(|_| resting.frame());
         assert!(resting.is_at_rest(), "before {what}");
@@ -684,7 +684,7 @@ fn a_sheet_at_rest_is_not_computed() {
     }
 }
 
-/// `sweeps` in a file counts instead of its `iterations`, but not instead of the option.
+/// `sweeps` in a file overrides its `iterations`, but the option overrides both.
 #[test]
 fn the_command_line_overrides_the_file() {
     let room = room();
@@ -704,7 +704,7 @@ fn the_command_line_overrides_the_file() {
     assert_eq!(overridden.get("sweeps"), None);
 }
 
-/// In fixed point it would come back at the other end.
+/// In fixed point a sheet that leaves the range would reappear at its other end.
 #[test]
 fn a_sheet_that_falls_out_of_range_is_reported() {
     let room = room();
@@ -722,7 +722,7 @@ fn a_sheet_that_falls_out_of_range_is_reported() {
     }
 }
 
-/// Asserts that a run writes what it was told to, and ends with one line that says in which frame the sheet exploded, and why.
+/// Asserts that a run writes its report, and ends with one line that names the frame of the explosion and its reason. Returns the frame.
 fn explodes(room: &Path, args: &[&str], reason: &str) -> u32 {
     let output = run(room, args);
     let stderr = String::from_utf8(output.stderr).unwrap();
@@ -748,7 +748,7 @@ fn exploded_runs_say_so() {
     let args = ["wild.toml", "--solver", "forward-euler", "--csv", "--frames", "50", "--scalar"];
     let number = explodes(room, &[&args[..], &["f64"]].concat(), "further than a million sheet sizes");
     assert!(number < 10, "{number}");
-    // far away and still finite: at the end of this frame
+    // A run that ends with this frame: the sheet is far away but finite.
     let frames = number.to_string();
     let short = ["wild.toml", "--solver", "forward-euler", "--csv", "--scalar", "f64", "--frames", &frames];
     assert_eq!(explodes(room, &short, "further than a million sheet sizes"), number);
@@ -793,7 +793,7 @@ fn a_plain_run_writes_an_animation_as_fast_as_the_scene() {
         delays.push(frame.delay);
         changed.push(frame.buffer.chunks(4).filter(|pixel| pixel[3] != 0).count());
     }
-    // 10 frames of 0.02 s, every second one shown, the last one for a second
+    // 10 frames of 0.02 s: every second one is shown, the last one for a second.
     assert_eq!(delays, [4, 4, 4, 4, 4, 100]);
     assert_eq!(changed[0], 540 * 540);
     assert!(changed[1..].iter().all(|count| (100..540 * 270).contains(count)), "{changed:?}");
@@ -871,7 +871,7 @@ fn every_number_type_grid_and_solver_runs() {
                 assert_eq!(start[..columns], end[..columns], "pins hold");
                 end.iter().fold(f64::MAX, |lowest, [_, _, z]| lowest.min(*z))
             });
-            // 1.2 cm of free fall
+            // A free fall is 1.2 cm.
             assert!(lowest.iter().all(|z| (-0.03..-0.005).contains(z)), "{} {columns}x{rows}: {lowest:?}", kind.name());
             let spread = lowest.iter().fold(0.0_f64, |spread, z| spread.max((z - lowest[1]).abs()));
             assert!(spread < 1e-4, "{} {columns}x{rows}: {lowest:?}", kind.name());

@@ -1,4 +1,4 @@
-//! The page of symptoms: every scene there shows what it says, and its cure cures it.
+//! The page of symptoms: every scene of the page shows its symptom, and the cured scene does not.
 
 use std::fs;
 
@@ -7,13 +7,13 @@ use kerchief::host::{Description, ScalarKind, Simulation, Solver, SolverKind};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
-/// A scene at its end, and the largest strain of its stretch links in motion.
+/// Results of a run: its final state, and the largest strain of stretch links in motion.
 struct Course {
     end: Box<dyn Simulation>,
     strain: f64,
     /// The largest speed in the last tenth of the run, m/s.
     speed: f64,
-    /// Frames that were not computed.
+    /// Frames that were skipped because the sheet was at rest.
     at_rest: u32,
 }
 
@@ -45,7 +45,7 @@ fn both(name: &str) -> [Course; 2] {
     [course(&scene(name)), course(&scene(&format!("{name}-cured")))]
 }
 
-/// The largest speed at the end of a scene whose solver is another, m/s.
+/// The largest speed at the end of a scene with a changed solver, m/s.
 fn speed(name: &str, change: impl FnOnce(&mut Solver)) -> f64 {
     let mut scene = scene(name);
     change(&mut scene.solver);
@@ -111,7 +111,7 @@ fn passes_through() {
     assert!(ill < 1e-3 && cured > 0.2, "{ill} m {cured} m");
 }
 
-/// The page and the scenes belong together.
+/// The page names exactly the scenes of the folder.
 #[test]
 fn the_page_names_every_scene() {
     let page = fs::read_to_string(format!("{ROOT}/../../docs/guide/symptoms.md")).unwrap();

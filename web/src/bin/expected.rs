@@ -1,4 +1,4 @@
-//! Prints what a page has to show, as JSON: digests and pixels of the same sheets, played and drawn on a host.
+//! Plays and draws sheets on a host, and prints their digests and pixel hashes as JSON. The page in a browser must reproduce them.
 
 use std::io::{Result, Write, stdout};
 
@@ -8,7 +8,7 @@ use playground::frame::Frame;
 use playground::play;
 use playground::settings::{Number, Settings, Solver, Start};
 
-/// Frames that are played.
+/// Frames of a run.
 const FRAMES: u32 = 40;
 /// Pixels of the picture.
 const PICTURE: (u32, u32) = (240, 180);
@@ -17,7 +17,7 @@ fn main() -> Result<()> {
     let mut out = stdout().lock();
     let mut lines = Vec::new();
     for solver in Solver::ALL {
-        // in steps that are short enough for each
+        // Explicit solvers need shorter steps.
         let substeps = match solver {
             Solver::ForwardEuler | Solver::Leapfrog => 64,
             _ => 6,
@@ -31,7 +31,7 @@ fn main() -> Result<()> {
     writeln!(out, "[\n{}\n]", lines.join(",\n"))
 }
 
-/// A sheet's settings as the page's address says them, and what it has to show.
+/// A sheet's settings as an address of the page, with the expected fate, digest and pixels.
 fn line<S: Scalar>(settings: &Settings, number: Number, name: &str) -> String {
     let settings = Settings { number, ..*settings };
     let mut sheet = match play::start::<S, 16, 4>(&settings) {
@@ -46,7 +46,7 @@ fn line<S: Scalar>(settings: &Settings, number: Number, name: &str) -> String {
     frame.resize(width, height);
     sheet.shown().draw(&eye::START, false, &mut frame);
     let Settings { solver, substeps, start, wind, .. } = settings;
-    assert!(start == Start::Corners && settings.ball, "what the address below says");
+    assert!(start == Start::Corners && settings.ball, "the address below has these values");
     let query =
         format!("solver={}&number={name}&substeps={substeps}&wind={wind}&ball=1&frames={FRAMES}", solver.name());
     format!(

@@ -1,4 +1,4 @@
-//! Lines above and below the picture, none of which covers it.
+//! Lines of text above and below the picture, without covering it.
 
 use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::DrawTarget;
@@ -8,11 +8,11 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
 
-/// The window.
+/// Size of the window, pixels.
 pub const SIZE: Size = Size::new(640, ABOVE + 600 + BELOW);
-/// The picture's place in it.
+/// The picture's place in the window.
 pub const PICTURE: Rectangle = Rectangle::new(Point::new(0, ABOVE as i32), Size::new(640, 600));
-/// Room for four lines, and for two.
+/// Heights of the captions above the picture (four lines) and below it (two lines), pixels.
 const ABOVE: u32 = 72;
 const BELOW: u32 = 40;
 
@@ -30,7 +30,7 @@ pub(super) const KEYS: [&str; 2] = [
     "left button drags the sheet  beside it, or right button: turn  wheel zooms",
 ];
 
-/// What is said above the picture.
+/// The text above the picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Caption {
     pub(super) state: [String; 2],
@@ -51,12 +51,12 @@ impl Caption {
     }
 }
 
-/// A line whose letters stand on `base`.
+/// Writes a line of text with its baseline at `base`.
 fn write<D: DrawTarget<Color = Rgb888>>(line: &str, base: i32, ink: Rgb888, target: &mut D) -> Result<(), D::Error> {
     Text::new(line, Point::new(INDENT, base), MonoTextStyle::new(&FONT_7X13, ink)).draw(target).map(drop)
 }
 
-/// Two lines at most: what is longer ends with dots.
+/// Wraps a text into at most two lines; a longer text ends with dots.
 fn wrapped(text: &str) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {

@@ -1,10 +1,10 @@
-//! Time: how many frames are due, and how many pictures a second are shown.
+//! The clock: the number of frames that are due, and the rate of pictures.
 
 use std::time::{Duration, Instant};
 
-/// Frames that may be computed for one picture, so that the motion keeps up with the clock.
+/// The most frames that are computed for one picture, so that the motion keeps up with the clock.
 const MOST: u32 = 4;
-/// Pictures are counted for so long at least.
+/// The shortest interval in which pictures are counted.
 const COUNTED: Duration = Duration::from_secs(1);
 
 /// When the next frame is due.
@@ -20,12 +20,12 @@ impl Clock {
         Self { step: Duration::from_secs_f64(step.min(3600.0)), due: now }
     }
 
-    /// Frames that are due.
+    /// The number of frames that are due, at most `MOST`.
     pub fn frames(&mut self, now: Instant) -> u32 {
         let mut frames = 0;
         while self.due <= now {
             if frames == MOST {
-                // Too slow for the clock: go on from here instead of running after it.
+                // The computer is too slow for the clock: skip the missed frames.
                 self.due = now;
                 break;
             }
@@ -49,7 +49,7 @@ impl Rate {
         Self { since: now, pictures: 0, measured: None }
     }
 
-    /// A picture was shown.
+    /// Counts a picture that was shown.
     pub fn count(&mut self, now: Instant) {
         self.pictures += 1;
         let passed = now - self.since;
@@ -59,7 +59,7 @@ impl Rate {
         }
     }
 
-    /// Of the last second or so; none before that.
+    /// Pictures a second in the last interval; none in the first one.
     pub fn a_second(&self) -> Option<f64> {
         self.measured
     }
@@ -76,7 +76,7 @@ mod tests {
         let mut clock = Clock::new(0.01, start);
         assert_eq!([0, 0, 9, 10, 35].map(|millis| clock.frames(at(millis))), [1, 0, 0, 1, 2]);
         assert_eq!(clock.frames(at(5000)), MOST, "late by far");
-        assert_eq!(clock.frames(at(5000)), 1, "what was missed stays missed");
+        assert_eq!(clock.frames(at(5000)), 1, "missed frames are skipped");
         assert_eq!(clock.frames(at(5009)), 0);
     }
 

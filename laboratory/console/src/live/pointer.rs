@@ -1,4 +1,4 @@
-//! A pointer: drags the sheet, turns the picture, zooms.
+//! Pointer events: they drag the sheet, turn the picture and zoom.
 
 use embedded_graphics::geometry::Point;
 use kerchief::Node;
@@ -12,37 +12,37 @@ pub enum Button {
     Right,
 }
 
-/// What a pointer does. Places are pixels of the window.
+/// A pointer event. Positions are pixels of the window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pointer {
     Pressed(Button, Point),
     Moved(Point),
     Released(Button),
-    /// Notches away from the user.
+    /// Notches of the wheel, away from the user.
     Wheel(f64),
 }
 
-/// A particle in the hand, and where it is dragged, m.
+/// A grabbed particle, and the point to which it is dragged, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Held {
     pub(super) node: Node,
     pub(super) place: [f64; 3],
 }
 
-/// A button that is pressed: the first of two.
+/// The pressed button; the first one if two are pressed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pressed {
     pub(super) button: Button,
-    /// Where the pointer was last, pixels of the picture.
+    /// The last position of the pointer, pixels of the picture.
     pub(super) at: Point,
-    /// What is dragged; nothing where the picture turns.
+    /// The dragged particle; none if the picture turns.
     pub(super) held: Option<Held>,
 }
 
-/// By how much a notch of the wheel brings the eye nearer, as on the playground's page.
+/// The logarithm of the zoom factor of a notch, as on the playground's page.
 const NOTCH: f64 = 0.1;
 
-/// The zoom's factor of so many notches.
+/// The zoom factor for a number of notches.
 pub(super) fn factor(notches: f64) -> f64 {
     (NOTCH * notches).exp()
 }

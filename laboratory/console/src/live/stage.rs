@@ -1,4 +1,4 @@
-//! The scene with all that keys and pointers change.
+//! The scene with the state that keys and pointers change.
 
 mod drawing;
 mod pointing;
@@ -16,7 +16,7 @@ use super::strain::Watched;
 use super::weather::Weather;
 use crate::Start;
 
-/// What a key asks for.
+/// The command of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Key {
     Left,
@@ -31,7 +31,7 @@ pub enum Key {
     Reset,
 }
 
-/// A scene in motion, and where it is looked at from.
+/// A scene in motion, and the position of the eye.
 pub struct Stage<'a> {
     scene: Description,
     scalar: ScalarKind,
@@ -40,12 +40,12 @@ pub struct Stage<'a> {
     orbit: Orbit,
     simulation: Box<dyn Simulation>,
     strain: Watched,
-    /// The corner that is pinned or released next.
+    /// The next corner that is pinned or released.
     corner: usize,
     weather: Weather,
     paused: bool,
     pressed: Option<Pressed>,
-    /// What could not be done.
+    /// The reason why the last command failed.
     complaint: String,
 }
 
@@ -77,7 +77,7 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// Moves on by a frame, unless it is paused.
+    /// Moves the sheet by a frame, unless it is paused.
     pub fn advance(&mut self) {
         if !self.paused {
             self.simulation.frame();
@@ -85,7 +85,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// A key was pressed, or repeats itself.
+    /// Handles a key press or, with `repeat`, a repetition of it.
     pub fn key(&mut self, key: Key, repeat: bool) {
         match key {
             Key::Left => self.tilt(0, -1.0),
@@ -121,7 +121,7 @@ impl<'a> Stage<'a> {
         self.corner = (self.corner + 1) % 4;
     }
 
-    /// Starts the scene again; it is looked at from where it was.
+    /// Restarts the scene. The position of the eye stays.
     fn reset(&mut self) {
         match (self.start)(&self.scene, self.scalar) {
             Ok(simulation) => {
@@ -135,7 +135,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// Goes on with another solver or number type.
+    /// Continues with another solver or number type.
     fn change(&mut self, kind: SolverKind, scalar: ScalarKind) {
         let before = std::mem::replace(&mut self.scene.solver.kind, kind);
         match (self.start)(&self.scene, scalar) {
@@ -155,7 +155,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// Sets gravity and wind as the keys have them.
+    /// Sets gravity and wind as the keys have changed them.
     fn apply(&mut self) {
         let result = self.simulation.set_wind(self.weather.wind(&self.scene).as_ref());
         match result.and_then(|()| self.simulation.set_gravity(self.weather.gravity(&self.scene))) {
@@ -165,7 +165,7 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// The start, as far below as a sheet may fall: what is to be seen besides it.
+/// The start moved down by the longer side of the sheet, but not below a plane: the view contains both.
 fn fallen(scene: &Description, start: &Still) -> Still {
     let mut still = start.clone();
     let depth = scene.sheet.height.max(scene.sheet.width);
@@ -176,7 +176,7 @@ fn fallen(scene: &Description, start: &Still) -> Still {
     still
 }
 
-/// The member after `current`, around.
+/// The member after `current`, cyclically.
 fn next<T: Copy + PartialEq, const N: usize>(all: &[T; N], current: T) -> T {
     let index = all.iter().position(|member| *member == current).unwrap_or_default();
     all[(index + 1) % N]

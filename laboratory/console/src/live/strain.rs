@@ -2,7 +2,7 @@
 
 use kerchief::host::Simulation;
 
-/// Of now and since the start. Undefined from the first link on whose strain is.
+/// The largest strain now and since the start. Once the strain of a link is undefined, `most` stays undefined.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Watched {
     pub(super) now: f64,
@@ -23,12 +23,12 @@ impl Watched {
     }
 }
 
-/// A scene has stretch links, or its file would have been refused.
+/// The largest strain now. Every scene has stretch links: a scene file without them is refused.
 fn largest(simulation: &dyn Simulation) -> f64 {
     simulation.strains().stretch.map_or(f64::NAN, |strain| strain.largest)
 }
 
-/// In so many characters at most, whatever the sheet does.
+/// The strain in percent, in few characters for any value.
 pub(super) fn percent(strain: f64) -> String {
     let percent = 100.0 * strain;
     if percent.is_nan() {

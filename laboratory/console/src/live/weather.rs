@@ -1,26 +1,26 @@
-//! Wind and gravity, as keys have them.
+//! Wind and gravity as the keys have changed them.
 
 use kerchief::host::{Description, Wind, WindModel};
 
-/// A key turns gravity by so much, degrees.
+/// The rotation of gravity by a key, degrees.
 const TILT: f64 = 5.0;
-/// The wind of a scene without: to the right of, into and up in the picture, m/s.
+/// The wind of a scene that has none of its own: components to the right, into the picture and up, m/s.
 const BREEZE: [f64; 3] = [3.0, 2.0, 0.0];
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Weather {
     pub(super) windy: bool,
-    /// Gravity turned about the picture's axes into and across it, degrees.
+    /// Inclination of gravity to the right and into the picture, degrees.
     pub(super) tilt: [f64; 2],
 }
 
 impl Weather {
-    /// A scene's own.
+    /// Wind and gravity of the scene.
     pub(super) fn of(scene: &Description) -> Self {
         Self { windy: scene.wind.is_some(), tilt: [0.0; 2] }
     }
 
-    /// Turns gravity by a key, to the right or into the picture.
+    /// Turns gravity by `keys` key presses, to the right (axis 0) or into the picture (axis 1).
     pub(super) fn turn(&mut self, axis: usize, keys: f64) {
         self.tilt[axis] = (self.tilt[axis] + keys * TILT).clamp(-90.0, 90.0);
     }
@@ -36,12 +36,12 @@ impl Weather {
         let [x, y, z] = scene.gravity;
         let pull = (x * x + y * y + z * z).sqrt();
         let tilt = picture(scene, [pull * sx * cy, pull * sy, 0.0]);
-        // Upright, gravity is the scene's own.
+        // Without a tilt, gravity is the scene's own vector.
         if self.tilt == [0.0; 2] { [x, y, z] } else { [tilt[0], tilt[1], -pull * cx * cy] }
     }
 }
 
-/// A level vector to the right of, into, and up in the scene's picture.
+/// A vector from components to the right, into the scene's picture and up.
 fn picture(scene: &Description, [right, into, up]: [f64; 3]) -> [f64; 3] {
     let (sin, cos) = scene.picture.azimuth.to_radians().sin_cos();
     [right * cos - into * sin, right * sin + into * cos, up]

@@ -1,7 +1,7 @@
-//! The cases of the model that mathematics solves.
+//! Cases of the model with an exact or semi-analytical solution.
 
 /// Height of each particle of a chain at rest under its own weight, below its pinned top particle, m: the first
-/// is 0, the others negative. A link carries the weight of all that hangs below it.
+/// is 0, the others negative. A link carries the weight of all particles below it.
 ///
 /// `masses` run from the top down (the pin's own does not matter); `rest` is each link's rest length.
 pub fn hanging_chain(masses: &[f64], rest: f64, stiffness: f64, gravity: f64) -> Vec<f64> {
@@ -14,16 +14,16 @@ pub fn hanging_chain(masses: &[f64], rest: f64, stiffness: f64, gravity: f64) ->
 }
 
 /// A chain at rest between two pins, `span` = (horizontal, upward) from the first to the last: each particle's
-/// place relative to the first. `compliance` = 1/stiffness may be 0: then it is the discrete catenary of
+/// position relative to the first. With `compliance` = 1/stiffness = 0 it is the discrete catenary of
 /// inextensible links.
 ///
-/// Statics: the horizontal pull H is the same in every link and the vertical one grows by each weight passed, so
-/// both pulls of the first link decide everything. They minimise the convex complementary energy
+/// Statics: the horizontal component H of the tension is the same in every link, and the vertical component V grows
+/// by each weight passed. Both components in the first link determine the shape. They minimise the convex complementary energy
 /// `Σ(L·T + T²/2k) - (H, V)·span` (T a link's tension), found by Newton's method.
 ///
 /// # Panics
-/// Where there is no finite solution: an inextensible chain that does not reach. And where one pin is above the
-/// other: there a link may carry nothing, and its direction is anyone's.
+/// If there is no finite solution: an inextensible chain is too short for the span. And if one pin is above the
+/// other: a link without tension would have no defined direction.
 pub fn chain_between_pins(masses: &[f64], rest: f64, compliance: f64, gravity: f64, span: [f64; 2]) -> Vec<[f64; 2]> {
     assert!(span[0] > 0.0, "pins one above the other");
     let links = masses.len() - 1;
@@ -48,7 +48,7 @@ pub fn chain_between_pins(masses: &[f64], rest: f64, compliance: f64, gravity: f
         if x.hypot(z) <= 1e-14 * rest * links as f64 {
             return places(pull);
         }
-        // Derivative of the end's place: the sum over the links of (L/T + 1/k)·1 - L/T³·(H, V)(H, V)ᵀ.
+        // Derivative of the end's position: the sum over the links of (L/T + 1/k)·1 - L/T³·(H, V)(H, V)ᵀ.
         let (mut hh, mut hv, mut vv) = (0.0, 0.0, 0.0);
         let [h, mut v] = pull;
         for link in 0..links {
@@ -68,7 +68,7 @@ pub fn chain_between_pins(masses: &[f64], rest: f64, compliance: f64, gravity: f
         });
         match closer {
             Some(p) => pull = p,
-            // Round-off is all that is left.
+            // Only round-off is left.
             None if x.hypot(z) < 1e-12 * rest * links as f64 => return places(pull),
             None => break,
         }
@@ -105,16 +105,15 @@ pub fn pendulum_frequencies(n: usize, link: f64, gravity: f64) -> Vec<f64> {
     (0..n).map(|i| (root(i) * gravity / link).sqrt()).collect()
 }
 
-/// The shape of the swing with angular frequency `omega`: sideways displacement from the pivot (0) down to the
-/// lowest mass (1).
+/// The mode with angular frequency `omega`: sideways displacements from the pivot (0) down to the lowest mass (1).
 pub fn pendulum_mode(n: usize, link: f64, gravity: f64, omega: f64) -> Vec<f64> {
     let mut shape = laguerre(n, omega * omega * link / gravity);
     shape.reverse();
     shape
 }
 
-/// Squared angular frequency of mode `j` (1 …) of a free straight chain of `n` equal masses along itself, 1/s²,
-/// exact at any amplitude that doesn't fold the chain: (4k/m)·sin²(jπ/2n).
+/// Squared angular frequency of the longitudinal mode `j` (1 …) of a free straight chain of `n` equal masses, 1/s²:
+/// (4k/m)·sin²(jπ/2n). It is exact at any amplitude that doesn't fold the chain.
 pub fn lengthwise_frequency_squared(n: usize, j: usize, stiffness: f64, mass: f64) -> f64 {
     4.0 * stiffness / mass * (j as f64 * core::f64::consts::PI / (2 * n) as f64).sin().powi(2)
 }
@@ -124,7 +123,7 @@ pub fn lengthwise_mode(n: usize, j: usize, i: usize) -> f64 {
     (j as f64 * core::f64::consts::PI * (i as f64 + 0.5) / n as f64).cos()
 }
 
-/// Amplitude and its velocity at time `t` of q'' + rate·q' + ω²·q = 0 from q = 1 at rest, where it oscillates.
+/// q and q' at time `t` for q'' + rate·q' + ω²·q = 0, from q = 1 at rest, in the underdamped case.
 pub fn damped_oscillation(omega_squared: f64, rate: f64, t: f64) -> [f64; 2] {
     let decay = rate / 2.0;
     assert!(omega_squared > decay * decay, "overdamped");
@@ -134,7 +133,7 @@ pub fn damped_oscillation(omega_squared: f64, rate: f64, t: f64) -> [f64; 2] {
     [envelope * (cos + decay / omega * sin), -envelope * omega_squared / omega * sin]
 }
 
-/// Displacement and velocity at time `t` along one axis under a steady acceleration and drag γ, from `velocity`.
+/// Displacement and velocity at time `t` along one axis under a constant acceleration and drag γ, from `velocity`.
 pub fn fall_with_drag(acceleration: f64, drag: f64, velocity: f64, t: f64) -> [f64; 2] {
     if drag == 0.0 {
         return [velocity * t + acceleration * t * t / 2.0, velocity + acceleration * t];
@@ -144,18 +143,18 @@ pub fn fall_with_drag(acceleration: f64, drag: f64, velocity: f64, t: f64) -> [f
     [terminal * t + (velocity - terminal) * decayed / drag, velocity + (terminal - velocity) * decayed]
 }
 
-/// What a fall with drag γ ends at: a/γ, m/s.
+/// Terminal velocity of a fall with drag γ: a/γ, m/s.
 pub fn terminal_velocity(acceleration: f64, drag: f64) -> f64 {
     acceleration / drag
 }
 
-/// Speed at which a flat horizontal sheet of `areal_density` (kg/m²) falls through air that stands still, in the
-/// aerodynamic model: √(2·g·σ/(ρ·C)), m/s.
+/// Terminal speed of a flat horizontal sheet of `areal_density` (kg/m²) in still air, in the aerodynamic model:
+/// √(2·g·σ/(ρ·C)), m/s.
 pub fn parachute_velocity(gravity: f64, areal_density: f64, air_density: f64, drag_coefficient: f64) -> f64 {
     (2.0 * gravity * areal_density / (air_density * drag_coefficient)).sqrt()
 }
 
-/// Distance fallen and speed at time `t` of a fall from rest under quadratic drag that ends at `terminal`.
+/// Distance and speed at time `t` of a fall from rest under quadratic drag, with terminal speed `terminal`.
 pub fn parachute_fall(gravity: f64, terminal: f64, t: f64) -> [f64; 2] {
     let s = gravity * t / terminal;
     [terminal * terminal / gravity * s.cosh().ln(), terminal * s.tanh()]

@@ -1,11 +1,11 @@
-//! An independent solution of the sheet's equation of motion, in f64 and SI units, to hold every solver against.
+//! An independent solution of the sheet's equation of motion, in f64 and SI units, with which every solver is compared.
 //!
-//! Nothing here uses the crate: the model is written down a second time, from its definition alone, as lists
-//! instead of patterns and as one ordinary differential equation instead of a solver. Colliders and the strain
-//! limit are no part of that equation.
+//! No code here uses the crate. The model is implemented a second time from its definition: lists replace the
+//! crate's patterns, and one ordinary differential equation replaces a solver. Colliders and the strain
+//! limit are not part of that equation.
 //!
-//! [`Model`] says what is meant, [`Ode`] is its right-hand side, [`Ode::solve`] its converged solution, and
-//! [`closed_forms`] holds the cases that mathematics solves.
+//! [`Model`] describes the sheet, [`Ode`] is the right-hand side of its equation, and [`Ode::solve`] gives the
+//! converged solution. [`closed_forms`] has cases with an exact solution.
 
 pub mod closed_forms;
 mod ode;
@@ -22,16 +22,16 @@ pub use vector::Vector;
 pub const STRETCH: &[(i32, i32)] = &[(1, 0), (0, 1)];
 /// Both diagonals of a cell.
 pub const SHEAR: &[(i32, i32)] = &[(1, 1), (1, -1)];
-/// Neighbours but one along rows and columns.
+/// Second neighbours along rows and columns.
 pub const BEND: &[(i32, i32)] = &[(2, 0), (0, 2)];
 
-/// All links of the same offsets; the rest length of each is its length at the start.
+/// All links of the same offsets. The rest length of a link is its length at the start.
 #[derive(Clone, Debug)]
 pub struct Family {
     pub offsets: &'static [(i32, i32)],
     /// Spring constant k, N/m.
     pub stiffness: f64,
-    /// Factor of the relative velocity, `N·s/m`.
+    /// Damping coefficient: force per relative velocity of the ends, `N·s/m`.
     pub damping: f64,
 }
 
@@ -51,26 +51,26 @@ impl Family {
 pub enum Wind {
     /// Force n·(n/|n| · wind) on each corner of a triangle with edge product n.
     Facet(Vector),
-    /// Quadratic drag along the normal, relative to the triangle's own velocity, a third of it on each corner.
+    /// Quadratic drag along a triangle's normal, from the wind relative to the triangle's velocity; a third of it on each corner.
     Aerodynamic { velocity: Vector, density: f64, drag_coefficient: f64 },
-    /// The same for cells, whose area and normal are half the product of their diagonals, a quarter of it on each corner.
+    /// The same for cells: half the cross product of the diagonals gives area and normal; a quarter of the drag on each corner.
     Panel { velocity: Vector, density: f64, drag_coefficient: f64 },
 }
 
-/// Everything that decides how the sheet moves.
+/// A sheet with everything that acts on it.
 #[derive(Clone, Debug)]
 pub struct Model {
     pub sheet: Sheet,
     pub families: Vec<Family>,
-    /// m/s².
+    /// Gravitational acceleration, m/s².
     pub gravity: Vector,
-    /// γ, 1/s.
+    /// Drag γ, 1/s.
     pub drag: f64,
     pub wind: Option<Wind>,
 }
 
 impl Model {
-    /// Only the sheet: nothing links it and nothing acts on it.
+    /// The sheet alone, without links and forces.
     pub fn new(sheet: Sheet) -> Self {
         Self { sheet, families: Vec::new(), gravity: [0.0; 3], drag: 0.0, wind: None }
     }
@@ -91,7 +91,7 @@ impl Model {
     }
 }
 
-/// The drag γ that a position Verlet step with displacement factor `1 - damping` stands for, 1/s.
+/// The drag γ that is equivalent to the displacement factor `1 - damping` of a position Verlet step, 1/s.
 pub fn drag_of_verlet_damping(damping: f64, step: f64) -> f64 {
     -(1.0 - damping).ln() / step
 }

@@ -65,7 +65,7 @@ impl Ode {
         }
     }
 
-    /// Acceleration of every particle, m/s². A pin has none: it rests, or keeps the velocity it was given.
+    /// Acceleration of every particle, m/s². The acceleration of a pin is zero: it rests, or keeps its initial velocity.
     pub fn acceleration(&self, state: &State, out: &mut [Vector]) {
         out.fill([0.0; 3]);
         self.add_link_forces(state, out);
@@ -155,7 +155,7 @@ impl Ode {
         (largest.0, largest.1 + self.drag)
     }
 
-    /// Kinetic, elastic and gravitational energy together, J; gravity's part counts from the coordinate origin.
+    /// Sum of kinetic, elastic and gravitational energy, J. The gravitational energy is zero at the coordinate origin.
     pub fn energy(&self, State { position, velocity }: &State) -> f64 {
         let of_particle =
             |i: usize| self.mass[i] * (dot(velocity[i], velocity[i]) / 2.0 - dot(self.gravity, position[i]));
@@ -166,13 +166,13 @@ impl Ode {
         (0..self.mass.len()).map(of_particle).sum::<f64>() + self.links.iter().map(of_link).sum::<f64>()
     }
 
-    /// kg·m/s.
+    /// Momentum, kg·m/s.
     pub fn momentum(&self, state: &State) -> Vector {
         let of = |i: usize| scale(self.mass[i], state.velocity[i]);
         (0..self.mass.len()).map(of).fold([0.0; 3], add)
     }
 
-    /// About the coordinate origin, kg·m²/s.
+    /// Angular momentum about the coordinate origin, kg·m²/s.
     pub fn angular_momentum(&self, state: &State) -> Vector {
         let of = |i: usize| scale(self.mass[i], cross(state.position[i], state.velocity[i]));
         (0..self.mass.len()).map(of).fold([0.0; 3], add)

@@ -1,4 +1,4 @@
-//! The sheet before it moves: where its particles are, what they weigh, which are held.
+//! The sheet before it moves: positions, masses and pins.
 
 use super::vector::{Vector, add};
 
@@ -15,15 +15,15 @@ pub enum Pose {
 pub struct Sheet {
     pub columns: usize,
     pub rows: usize,
-    /// m; without meaning for a single column, as the height is for a single row.
+    /// m; ignored for a single column, as the height is for a single row.
     pub width: f64,
     pub height: f64,
-    /// Where particle (0, 0) starts, m.
+    /// Start of particle (0, 0), m.
     pub origin: Vector,
     pub pose: Pose,
-    /// kg, by index.
+    /// Masses of the particles by index, kg.
     pub masses: Vec<f64>,
-    /// Held particles as (column, row).
+    /// Pinned particles as (column, row).
     pub pins: Vec<(usize, usize)>,
 }
 
@@ -46,7 +46,7 @@ impl Sheet {
         self
     }
 
-    /// Mass from an area density, kg/m²: each cell gives a quarter of its mass to each of its corners.
+    /// Masses from an area density, kg/m²: each cell gives a quarter of its mass to each of its corners.
     #[must_use]
     pub fn with_density(mut self, density: f64) -> Self {
         assert!(self.columns > 1 && self.rows > 1, "a chain has no area");
@@ -60,7 +60,7 @@ impl Sheet {
         self
     }
 
-    /// Border particles are `factor` times as heavy as they were.
+    /// Multiplies the masses of border particles by `factor`.
     #[must_use]
     pub fn with_hem(mut self, factor: f64) -> Self {
         for row in 0..self.rows {
@@ -79,14 +79,14 @@ impl Sheet {
         self
     }
 
-    /// Holds row 0.
+    /// Pins row 0.
     #[must_use]
     pub fn with_top_pinned(mut self) -> Self {
         self.pins.extend((0..self.columns).map(|column| (column, 0)));
         self
     }
 
-    /// Holds column 0.
+    /// Pins column 0.
     #[must_use]
     pub fn with_left_pinned(mut self) -> Self {
         self.pins.extend((0..self.rows).map(|row| (0, row)));
@@ -102,20 +102,20 @@ impl Sheet {
         row * self.columns + column
     }
 
-    /// The index of the particle at an offset (columns, rows) from particle `i`, where the grid has one.
+    /// The index of the particle at an offset (columns, rows) from particle `i`, if the grid has one.
     pub fn neighbour(&self, i: usize, (right, down): (i32, i32)) -> Option<usize> {
         let column = (i % self.columns).checked_add_signed(right as isize).filter(|&c| c < self.columns)?;
         let row = (i / self.columns).checked_add_signed(down as isize).filter(|&r| r < self.rows)?;
         Some(self.index((column, row)))
     }
 
-    /// Width and height of a cell; 0 along a direction that has no cells.
+    /// Width and height of a cell, m; 0 along a direction without cells.
     pub fn cell(&self) -> [f64; 2] {
         let spacing = |extent: f64, count: usize| if count > 1 { extent / (count - 1) as f64 } else { 0.0 };
         [spacing(self.width, self.columns), spacing(self.height, self.rows)]
     }
 
-    /// The longer side: the length that position errors are measured by.
+    /// The longer side, m: the unit of position errors.
     pub fn size(&self) -> f64 {
         let [width, height] = self.cell();
         (width * (self.columns - 1) as f64).max(height * (self.rows - 1) as f64)
@@ -133,7 +133,7 @@ impl Sheet {
         cells
     }
 
-    /// Where every particle starts, by index.
+    /// Start positions of all particles, by index, m.
     pub fn positions(&self) -> Vec<Vector> {
         let [width, height] = self.cell();
         let place = |i: usize| {

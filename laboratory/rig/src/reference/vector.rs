@@ -1,4 +1,4 @@
-//! The little vector algebra that the reference needs.
+//! Vector algebra of the reference.
 
 pub type Vector = [f64; 3];
 

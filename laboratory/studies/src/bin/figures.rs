@@ -1,4 +1,4 @@
-//! Draws the thesis' two questions: `shear.png` and `super-elasticity.png`, into `out` or, to renew those of the README, into `docs`.
+//! Draws two pictures on the questions of the thesis, `shear.png` and `super-elasticity.png`. They are written into `out`, or into `docs` to renew those of the README.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -12,7 +12,7 @@ use laboratory::strip::strip;
 /// The side of a picture, pixels.
 const SIDE: u32 = 480;
 
-/// The frame in which both sheets lie on the ball.
+/// A frame in which both sheets lie on the ball.
 const ON_THE_BALL: u32 = 24;
 
 /// Draws what shear links do, and why cloth stretches like rubber.
@@ -45,7 +45,7 @@ fn shear() -> Result<RgbImage, String> {
     figure(&with, &panels, ["without shear links", "with shear links"].map(String::from))
 }
 
-/// A sheet in wind by the thesis' method, and by the line solver for no more operations: each in the frame in which it is strained most.
+/// A sheet in wind by the thesis' method, and by the line solver with no more operations. Each is shown in the frame with its largest strain.
 fn super_elasticity() -> Result<RgbImage, String> {
     let wind = scene("wind")?;
     let by = |kind, substeps, sweeps| {
@@ -70,9 +70,9 @@ fn scene(name: &str) -> Result<Description, String> {
     Description::parse(scene.text).map_err(|error| error.to_string())
 }
 
-/// What a sheet did.
+/// Results of a run.
 struct Motion {
-    /// The frame in which a stretch link was strained most, and by how much.
+    /// The frame with the largest strain of a stretch link, and this strain.
     strained: Still,
     strain: f64,
     /// The last frame.
@@ -98,7 +98,7 @@ fn moved(scene: &Description) -> Result<Motion, String> {
     Ok(Motion { strained, strain, end: simulation.still(), operations: Counted::operations().total() })
 }
 
-/// Two pictures by the same camera, side by side, each with a line of words.
+/// Two pictures by the same camera, side by side, each with a caption.
 fn figure(scene: &Description, panels: &[Still; 2], words: [String; 2]) -> Result<RgbImage, String> {
     let studio = Studio::new(scene, panels.iter(), SIDE)?;
     let panels: Vec<_> = panels.iter().zip(words).map(|(still, words)| (studio.picture(still), words)).collect();

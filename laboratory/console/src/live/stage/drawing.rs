@@ -1,4 +1,4 @@
-//! The stage as it is seen.
+//! Drawing of the stage.
 
 use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
@@ -9,12 +9,12 @@ use super::super::caption::{Caption, PICTURE};
 use super::super::strain::percent;
 use super::Stage;
 
-/// A mark on the particle in the hand.
+/// Colour of the mark on the grabbed particle.
 pub(super) const HAND: Rgb888 = Rgb888::new(232, 163, 61);
 const HAND_SIZE: u32 = 9;
 
 impl Stage<'_> {
-    /// Draws the whole window, with the rate at which its pictures are shown.
+    /// Draws the whole window; the caption has the `rate` of pictures a second.
     pub fn draw<D: DrawTarget<Color = Rgb888>>(&self, rate: Option<f64>, target: &mut D) -> Result<(), D::Error> {
         let still = self.simulation.still();
         let mut picture = target.cropped(&PICTURE);

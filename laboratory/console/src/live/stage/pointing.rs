@@ -1,4 +1,4 @@
-//! What a pointer does on the stage.
+//! Pointer events on the stage.
 
 use embedded_graphics::geometry::Point;
 use kerchief::host::Grip;
@@ -8,7 +8,7 @@ use super::super::pointer::{Button, Held, Pointer, Pressed, factor};
 use super::Stage;
 
 impl Stage<'_> {
-    /// A pointer did something.
+    /// Handles a pointer event.
     pub fn point(&mut self, pointer: Pointer) {
         match pointer {
             Pointer::Pressed(button, at) if self.pressed.is_none() && PICTURE.contains(at) => {
@@ -29,7 +29,7 @@ impl Stage<'_> {
         }
     }
 
-    /// Takes hold of the particle under a pixel of the picture.
+    /// Grabs the particle at a pixel of the picture.
     fn grab(&mut self, at: Point) -> Option<Held> {
         if !self.simulation.is_finite() {
             return None;
@@ -40,7 +40,7 @@ impl Stage<'_> {
         self.hold(held).then_some(held)
     }
 
-    /// Whether the hand holds it.
+    /// Grabs and drags a particle. Returns whether the simulation accepts the hand.
     fn hold(&mut self, Held { node, place }: Held) -> bool {
         match self.simulation.grab(node.column, node.row, &Grip::of(&self.scene)) {
             Ok(()) => {
@@ -68,7 +68,7 @@ impl Stage<'_> {
         }
     }
 
-    /// Takes in the hand again what another simulation has had.
+    /// Grabs the dragged particle again, in a simulation that has replaced another.
     pub(super) fn hold_on(&mut self) {
         let Some(held) = self.pressed.and_then(|pressed| pressed.held) else { return };
         if !self.hold(held) {

@@ -1,4 +1,4 @@
-//! The stage without a screen: events in, a picture and a caption out.
+//! Tests of the stage without a screen: events are its input, a picture and a caption its output.
 
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -61,7 +61,7 @@ fn place(stage: &Stage<'_>, node: Node) -> [f64; 3] {
     stage.simulation.still().positions[node.row * stage.scene.sheet.columns + node.column]
 }
 
-/// Where a particle is seen, pixels of the window.
+/// The pixel of the window at which a particle is seen.
 fn pixel(stage: &Stage<'_>, node: Node) -> Point {
     stage.painter.pixel(place(stage, node)).unwrap() + PICTURE.top_left
 }
@@ -112,7 +112,7 @@ fn a_particle_follows_the_pointer_and_falls_when_it_is_released() {
     }
 }
 
-/// The pointer that comes back brings the particle back: it moves in the plane of the picture.
+/// A dragged particle moves in the plane of the picture, so a pointer that comes back brings it back.
 #[test]
 fn a_drag_stays_in_the_plane_of_the_picture() {
     let scene = scene();
@@ -219,7 +219,7 @@ fn one_button_at_a_time_and_only_in_the_picture() {
     stage.point(Pointer::Moved(at + Point::new(50, 50)));
     stage.point(Pointer::Released(Button::Right));
     assert_eq!((held(&stage), stage.orbit), (Some(NODE), before));
-    // released outside of the picture
+    // The button is released outside the picture.
     stage.point(Pointer::Moved(Point::new(-5000, 9000)));
     stage.point(Pointer::Released(Button::Left));
     assert_eq!(held(&stage), None);
@@ -260,7 +260,7 @@ fn a_reset_keeps_the_view_and_empties_the_hand() {
     assert_eq!(stage.strain.most, stage.strain.now, "counted from the start");
 }
 
-/// So short are substeps that fixed point has no number for the hand's spring.
+/// The substeps are so short that fixed point does not represent the compliance of the hand.
 #[test]
 fn a_hand_that_is_refused_says_why() {
     let short = SCENE.replace("substeps = 8", "substeps = 8192").replace("drag = 1.0\n", "");
@@ -276,7 +276,7 @@ fn a_hand_that_is_refused_says_why() {
     assert_eq!(stage.caption(None).complaint, "");
 }
 
-/// What a sheet that has exploded can do is start again.
+/// An exploded sheet can only be restarted.
 #[test]
 fn nothing_is_grabbed_that_has_exploded() {
     let scene = scene();
@@ -327,7 +327,7 @@ fn the_caption_says_solver_rate_and_strain() {
     assert!(state.iter().all(|line| line.len() <= WIDEST), "{state:?}");
 }
 
-/// Neither the caption nor what is beside the picture's frame touches the other.
+/// The caption does not cover the picture, and the picture does not cover the caption.
 #[test]
 fn picture_and_caption_have_their_places() {
     let scene = scene();
@@ -352,7 +352,7 @@ fn picture_and_caption_have_their_places() {
     assert_eq!(KEYS.len(), 2);
 }
 
-/// A press shows what is in the hand.
+/// A press on a particle marks it.
 #[test]
 fn the_particle_in_the_hand_is_marked() {
     let scene = scene();

@@ -1,4 +1,4 @@
-//! What a frame costs on a board, and how wrong the same frames are.
+//! Cost of frames on a board, and their errors.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -16,34 +16,34 @@ use laboratory::page::scientific;
 use laboratory::reference::Reference;
 use laboratory::scenes::named;
 
-/// The scene that the firmware plays.
+/// The scene of the firmware.
 pub(crate) const SCENE: &str = "two-corners-16";
-/// How close the reference has to come to its limit, sheet sizes.
+/// Tolerance of the reference, sheet sizes.
 const CONVERGED: f64 = 2e-6;
 
-/// A processor on the board that takes all of them.
+/// An emulated processor.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Board {
     machine: Machine,
-    /// In file names.
+    /// Its name in file names.
     pub(crate) short: &'static str,
 }
 
 pub(crate) const BOARDS: [Board; 3] =
     [Board { machine: M0, short: "m0" }, Board { machine: M3, short: "m3" }, Board { machine: M4F, short: "m4f" }];
 
-/// What a setting costs.
+/// The cost of a setting.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cost {
     board: Board,
     configuration: Configuration,
-    /// Instructions of a frame of the whole sheet.
+    /// Instructions of a frame for the whole sheet.
     instructions: f64,
-    /// Of the sheet after the last frame.
+    /// Digest of the sheet after the last frame.
     digest: u32,
 }
 
-/// What a setting costs and how wrong it is.
+/// Cost and error of a setting.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Point {
     pub(crate) board: Board,
@@ -53,7 +53,7 @@ pub(crate) struct Point {
     strain: f64,
 }
 
-/// Says which tool is missing.
+/// Fails with the name of a missing tool.
 pub(crate) fn tools() -> Result<(), String> {
     for (tool, package) in
         [("rustup", "see https://rustup.rs"), ("qemu-system-arm", "Debian's package qemu-system-arm")]
@@ -66,7 +66,7 @@ pub(crate) fn tools() -> Result<(), String> {
     Ok(())
 }
 
-/// The programs of a number type, by target. A small flash doesn't hold all number types.
+/// The programs of a number type, by target. A small flash has no space for all number types.
 pub(crate) fn programs(number: ScalarKind) -> Result<Programs, String> {
     let targets = BOARDS.map(|board| board.machine.target);
     Firmware::measuring("precision", &targets, [Some(number.name()), None]).build().map_err(|error| error.to_string())
@@ -77,7 +77,7 @@ impl Board {
         self.machine.name
     }
 
-    /// What every setting of a number type costs.
+    /// The costs of all settings of a number type.
     pub(crate) fn costs(self, programs: &Programs) -> Result<Vec<Cost>, String> {
         let printed = self.machine.run_counted(&programs[self.machine.target]).map_err(|error| error.to_string())?;
         let cost = |line: &str| {
@@ -94,7 +94,7 @@ impl Board {
     }
 }
 
-/// How wrong the settings are, seen on the host, where the sheets are the same to the last bit.
+/// The errors of the settings. They are measured on the host, whose sheets equal those of the board to the last bit.
 pub(crate) fn errors(costs: &[Cost], cache: &Path) -> Result<Vec<Point>, String> {
     let text = named().into_iter().find(|scene| scene.name == SCENE).expect("a scene of the laboratory").text;
     let scene = Description::parse(text).map_err(|error| error.to_string())?;
@@ -112,7 +112,7 @@ pub(crate) fn errors(costs: &[Cost], cache: &Path) -> Result<Vec<Point>, String>
     costs.par_iter().map(point).collect()
 }
 
-/// A line of the table of all points.
+/// A row of the table of all points.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Row {
     processor: &'static str,

@@ -1,4 +1,4 @@
-//! What accuracy costs on a board: `cargo study board_precision --help`.
+//! The cost of accuracy on a board: `cargo study board_precision --help`.
 
 mod board;
 mod report;
@@ -28,7 +28,7 @@ struct Args {
     cache: PathBuf,
 }
 
-/// The number types that boards have.
+/// The number types of the firmware.
 const NUMBERS: [ScalarKind; 3] = [ScalarKind::F32, ScalarKind::Q24, ScalarKind::Q13];
 
 fn main() -> ExitCode {

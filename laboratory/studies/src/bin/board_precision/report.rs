@@ -1,4 +1,4 @@
-//! Plots, and a table of what to choose.
+//! Plots, and a table of the cheapest settings.
 
 use std::path::Path;
 
@@ -10,16 +10,16 @@ use laboratory::front::cheapest;
 use laboratory::page::{Page, scientific};
 use laboratory::plot::{Axis, Curve, Plot};
 
-/// Position errors (sheet sizes) for which the cheapest setting is named.
+/// Position errors (sheet sizes) for which the table gives the cheapest setting.
 const ERRORS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
-/// What is outside these is in no plot.
+/// Bounds of the plots: costs, and errors.
 const COSTS: (f64, f64) = (1e4, 1e10);
 const SEEN: (f64, f64) = (1e-6, 1.0);
 
-const WORDS: &str = "The sheet of 16 × 16 particles on two corners of the first section, played on a Cortex-M0, M3 and M4F in QEMU: *instructions* are those executed in a \
-    frame of 0.1 s, all of the sheet, the mean of 2 s. *Errors* are those of the same runs on the host; both machines end with the same digest. `f32` is software on \
-    M0 and M3.";
+const WORDS: &str = "The sheet of 16 × 16 particles on two corners from the first section, computed on a Cortex-M0, M3 and M4F in QEMU. *Instructions* are those executed in a \
+    frame of 0.1 s for the whole sheet, as the mean over 2 s. *Errors* are measured in the same runs on the host; board and host end with the same digest. `f32` is \
+    computed in software on M0 and M3.";
 
 pub(crate) fn report(points: &[Point], page: &mut Page, directory: &Path) -> Result<(), String> {
     page.paragraph("# Error against cost on a board");
@@ -30,7 +30,7 @@ pub(crate) fn report(points: &[Point], page: &mut Page, directory: &Path) -> Res
         plot(board, &own).write(directory, &file)?;
         page.picture(&format!("{}: position error against instructions", board.name()), &file);
     }
-    page.paragraph("The cheapest settings that reach an error, and thousands of instructions of a frame:");
+    page.paragraph("Thousands of instructions of a frame for the cheapest setting that reaches an error (in brackets: the setting and its error):");
     let head: Vec<String> = ERRORS.iter().map(|error| format!("≤ {error:e}")).collect();
     let head: Vec<&str> = ["processor", "number"].into_iter().chain(head.iter().map(String::as_str)).collect();
     let rows = BOARDS.iter().flat_map(|board| NUMBERS.map(|number| row(board, number, points)));
@@ -57,7 +57,7 @@ fn row(board: &Board, number: ScalarKind, points: &[Point]) -> Vec<String> {
     [board.name().to_string(), number.name().to_string()].into_iter().chain(ERRORS.map(choice)).collect()
 }
 
-/// Every solver in every number type; the front of all lies grey behind.
+/// A curve for every solver in every number type, and the Pareto front of all points in grey.
 fn plot(board: Board, points: &[&Point]) -> Plot<'static> {
     let places = places(points);
     let mut curves = vec![Curve::front(&places)];

@@ -1,4 +1,4 @@
-//! What solvers do to the energy of a sheet that nothing damps.
+//! Changes of the energy of an undamped sheet by the solvers.
 
 use std::path::Path;
 
@@ -14,11 +14,11 @@ use laboratory::page::{Page, write_csv};
 use laboratory::plot::{Axis, Curve, Marker, Plot};
 use laboratory::reference::size;
 
-/// How many times as many substeps leapfrog takes.
+/// Factor on the substeps of leapfrog.
 const LEAPFROG: u32 = 16;
 /// Changes beyond these are not drawn, percent.
 const DRAWN: (f64, f64) = (-20.0, 20.0);
-/// A sheet whose energy has changed by more has blown up, percent.
+/// A sheet has blown up if its energy has changed by this or more, percent.
 const LOST: f64 = 1000.0;
 
 /// Changes of the total energy, percent of mass × gravity × size, at the end of each frame.
@@ -30,7 +30,7 @@ pub(crate) struct Energies {
     courses: Vec<(Configuration, Vec<f64>)>,
 }
 
-/// A scene without drag and wind; it has to have gravity.
+/// The scene without drag and wind. Fails if it has no gravity.
 pub(crate) fn undamped(scene: &Description) -> Result<Description, String> {
     if scene.gravity == [0.0; 3] {
         return Err(format!("{}: environment.gravity: without it there is no unit of energy", scene.name));
@@ -38,7 +38,7 @@ pub(crate) fn undamped(scene: &Description) -> Result<Description, String> {
     Ok(Description { drag: None, wind: None, ..scene.clone() })
 }
 
-/// A line of the table of all courses.
+/// A row of the table of all courses.
 #[derive(Clone, Debug, Serialize)]
 struct Row<'a> {
     scene: &'a str,
@@ -89,7 +89,7 @@ impl Energies {
     pub(crate) fn report(&self, page: &mut Page, directory: &Path) -> Result<(), String> {
         page.paragraph(&format!("## Energy: {} without drag", self.name));
         page.paragraph(&format!(
-            "Change of the total energy in f64 over {:.2} s, percent of mass × gravity × size. What a solver loses it damps.",
+            "Change of the total energy in f64 over {:.2} s, in percent of mass × gravity × size. A loss of energy is the solver's own damping.",
             f64::from(self.frames) * self.step
         ));
         let file = format!("energy-{}.svg", self.name);

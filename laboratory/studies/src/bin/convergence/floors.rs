@@ -1,4 +1,4 @@
-//! What number types lose to rounding.
+//! Rounding errors of the number types.
 
 use std::path::Path;
 
@@ -14,10 +14,10 @@ use laboratory::page::{Page, scientific};
 use laboratory::plot::{Axis, Curve, Plot, marker};
 use laboratory::reference::{record, rms, size};
 
-/// Number types that are held against `f64`.
+/// Number types that are compared with `f64`.
 const TYPES: [ScalarKind; 3] = [ScalarKind::F32, ScalarKind::Q24, ScalarKind::Q13];
 
-/// Distances to the same solver in `f64`, and to the solution.
+/// Distances from the same solver in `f64`, and from the reference.
 #[derive(Clone, Debug)]
 pub(crate) struct Floors {
     name: String,
@@ -28,10 +28,10 @@ pub(crate) struct Floors {
 #[derive(Clone, Copy, Debug)]
 struct Point {
     configuration: Configuration,
-    /// RMS distance to the same in `f64`, over the sheet's size; infinite where one of them blew up, undefined where the number type has too few digits for a
+    /// RMS distance from the same configuration in `f64`, divided by the sheet's size. It is infinite if one of them blew up, and undefined if the number type refuses a
     /// step this short.
     rounding: f64,
-    /// RMS distance to the solution, over the sheet's size.
+    /// RMS distance from the reference, divided by the sheet's size.
     error: f64,
 }
 
@@ -89,8 +89,8 @@ impl Floors {
     pub(crate) fn report(&self, page: &mut Page, directory: &Path) -> Result<(), String> {
         page.paragraph(&format!("## Round-off: {}", self.name));
         page.paragraph(
-            "RMS distance over all particles and frames to the same solver with the same substeps in f64, / sheet size; and the floor: the least \
-             error against the solution that any number of substeps reaches.",
+            "RMS distance, over all particles and frames, from the same solver with the same substeps in f64, / sheet size. The *floor* is the smallest \
+             error against the reference at any of these numbers of substeps.",
         );
         let file = format!("rounding-{}.svg", self.name);
         self.plot().write(directory, &file)?;

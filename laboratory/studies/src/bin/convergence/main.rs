@@ -68,7 +68,7 @@ fn run(args: &Args) -> Result<(), String> {
         for (scalar, &substeps) in
             ScalarKind::ALL.into_iter().flat_map(|scalar| args.substeps.iter().map(move |n| (scalar, n)))
         {
-            // of finer steps a number type may have too few digits
+            // A number type may refuse shorter steps: only its fewest substeps have to be accepted.
             if scalar != ScalarKind::F64 && Some(&substeps) != fewest {
                 continue;
             }

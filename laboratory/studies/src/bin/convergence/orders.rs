@@ -16,9 +16,9 @@ use laboratory::page::{Page, scientific};
 use laboratory::plot::{Axis, Curve, Marker, Plot};
 use laboratory::reference::Reference;
 
-/// How close the reference has to come to its limit, sheet sizes.
+/// Tolerance of the reference, sheet sizes.
 const TOLERANCE: f64 = 1e-9;
-/// An order is read where errors are this many times larger than what is left of the reference's.
+/// An order is computed from errors that are larger than the reference's by this factor.
 const CLEAR: f64 = 30.0;
 
 /// Errors of all solvers in `f64`.
@@ -32,7 +32,7 @@ pub(crate) struct Orders {
     points: Vec<(Configuration, f64)>,
 }
 
-/// A line of the table of all points.
+/// A row of the table of all points.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Row<'a> {
     scene: &'a str,
@@ -69,7 +69,7 @@ impl Orders {
         Ok(Self { name, frames, substeps, reference, step, points })
     }
 
-    /// All points as lines of a table.
+    /// All points as rows of a table.
     pub(crate) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.points.iter().map(|(Configuration { solver, substeps, sweeps, .. }, error)| Row {
             scene: &self.name,
@@ -87,7 +87,7 @@ impl Orders {
         own.map(|(of, error)| (of.substeps, *error)).collect()
     }
 
-    /// The order between the two finest runs whose errors stand clear of the reference's.
+    /// The order between the two finest runs whose errors are clearly larger than the reference's.
     fn order(&self, index: usize) -> Option<f64> {
         let clear = |(_, error): &(u32, f64)| error.is_finite() && *error > CLEAR * self.reference.difference;
         let own: Vec<_> = self.own(index).into_iter().filter(clear).collect();
@@ -100,7 +100,7 @@ impl Orders {
         page.paragraph(&format!("## Order in time: {}", self.name));
         page.paragraph(&format!(
             "Position error in f64 over {} frames of {:.3} s, RMS over all particles and frames / sheet size. The reference is leapfrog with {} \
-             substeps, extrapolated; it is {} from what half as many give.",
+             substeps, extrapolated. Its distance from the extrapolation from half as many substeps is {}.",
             self.frames,
             self.step,
             self.reference.substeps,
@@ -147,7 +147,7 @@ impl Orders {
         }
     }
 
-    /// A line of so many powers, above all curves of that order.
+    /// A line with the slope of an order, above all curves of that order.
     fn slope(&self, order: i32) -> Curve {
         let own = |index: usize| self.own(index).into_iter().rfind(|(_, error)| error.is_finite());
         let near = |index: &usize| self.order(*index).is_some_and(|found| (found - f64::from(order)).abs() < 0.5);

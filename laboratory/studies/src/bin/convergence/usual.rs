@@ -1,4 +1,4 @@
-//! Every solver as it is usually run.
+//! All solvers with usual numbers of sweeps.
 
 use kerchief::host::{ScalarKind, SolverKind};
 
@@ -7,7 +7,7 @@ use plotters::style::RGBColor;
 use laboratory::configuration::{Configuration, has_sweeps};
 use laboratory::plot::{COLOURS, colour};
 
-/// Every solver as it is usually run, with its sweeps.
+/// All solvers with usual numbers of sweeps.
 pub(crate) const USUAL: [(SolverKind, u32); 7] = [
     (SolverKind::Lines, 2),
     (SolverKind::Lines, 1),
@@ -18,7 +18,7 @@ pub(crate) const USUAL: [(SolverKind, u32); 7] = [
     (SolverKind::ForwardEuler, 1),
 ];
 
-/// A colour for every one of them.
+/// A colour for each entry of [`USUAL`].
 pub(crate) const fn colour_of((solver, sweeps): (SolverKind, u32)) -> RGBColor {
     match solver {
         SolverKind::Lines if sweeps > 1 => COLOURS[5],
@@ -31,7 +31,7 @@ pub(crate) fn name(solver: SolverKind, sweeps: u32) -> String {
     if has_sweeps(solver) { format!("{} × {sweeps}", solver.name()) } else { solver.name().to_string() }
 }
 
-/// Solvers of [`USUAL`] in a number type.
+/// The configurations of [`USUAL`] in a number type.
 pub(crate) fn usual(scalar: ScalarKind, substeps: u32) -> impl Iterator<Item = Configuration> {
     USUAL.into_iter().map(move |(solver, sweeps)| Configuration { solver, scalar, substeps, sweeps, tolerance: None })
 }

@@ -13,22 +13,22 @@ const SIZE: f64 = 1.0;
 pub(crate) const STEP: f64 = 0.02;
 /// The angle between neighbouring cells at which bend springs are as stiff as the fabric, rad.
 const FOLD: f64 = 0.5;
-/// The part of a wave's time across a cell, a·√(density/C), that leapfrog's steps may be long; it is stable up to 0.87.
+/// Leapfrog's steps as a part of the time that a wave takes across a cell, a·√(density/C); leapfrog is stable up to 0.87.
 const STABLE: f64 = 0.5;
-/// How long the motion is compared, s.
+/// The time over which motions are compared, s.
 const MOTION: f64 = 0.5;
 
-/// A square sheet held along its border, which its weight pulls down from the plane. It is taut everywhere: wrinkles, which every grid would
-/// have its own of, cannot form.
+/// A square sheet pinned along its border, which sags by its weight. It is taut everywhere, so that no wrinkles form: they would differ
+/// between grids.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Awning {
     pub(crate) material: Material,
-    /// 1/s
+    /// Drag, 1/s.
     pub(crate) drag: f64,
     pub(crate) solver: SolverKind,
     pub(crate) substeps: u32,
     pub(crate) sweeps: u32,
-    /// Until it is at rest.
+    /// The time until it is at rest, s.
     pub(crate) seconds: f64,
 }
 
@@ -38,16 +38,16 @@ impl Default for Awning {
     }
 }
 
-/// What became of it.
+/// The result of a run.
 #[derive(Clone, Debug)]
 pub(crate) struct Outcome {
     pub(crate) side: usize,
-    /// How far the middle hangs below the border, m.
+    /// Height of the border above the middle, m.
     pub(crate) sag: f64,
     /// The largest strain of a stretch link at rest.
     pub(crate) strain: f64,
     pub(crate) still: Still,
-    /// Where particles were in motion.
+    /// Positions during the motion.
     motion: Frames,
 }
 
@@ -80,20 +80,20 @@ impl Awning {
         Description::parse(&text).map_err(|error| error.to_string())
     }
 
-    /// The same moved by leapfrog, in steps so short that it is stable on a grid and its error in time is far below that of any grid.
+    /// The same awning moved by leapfrog. Its steps are so short that it is stable on the finest grid, and that its error in time is far below the error of any grid.
     pub(crate) fn exactly(self, finest: usize) -> Self {
         let Material { density, stretch, .. } = self.material;
         let longest = STABLE * SIZE / (finest - 1) as f64 * (density / stretch).sqrt();
         Self { solver: SolverKind::Leapfrog, substeps: (STEP / longest).ceil() as u32, sweeps: 1, ..self }
     }
 
-    /// How it is moved, in words.
+    /// Solver and settings in words.
     pub(crate) fn method(&self) -> String {
         let Self { solver, substeps, sweeps, .. } = self;
         format!("Solver: {}, f64, frames of {STEP} s, {substeps} substeps, iterations = {sweeps}.", solver.name())
     }
 
-    /// Lets it come to rest.
+    /// Runs the awning until it is at rest.
     pub(crate) fn outcome(&self, side: usize) -> Result<Outcome, String> {
         let mut moving = simulation(&self.scene(side)?, ScalarKind::F64).map_err(|error| error.to_string())?;
         let frames = |seconds: f64| (seconds / STEP).round().max(1.0) as u32;
@@ -117,21 +117,21 @@ impl Awning {
         })
     }
 
-    /// What it is, in a sentence or two.
+    /// A description of the awning and of the distances.
     pub(crate) fn words(&self) -> String {
         let Material { density, stretch, shear, bend, .. } = self.material;
         format!(
             "An awning: a square of {SIZE} m of light jacket cloth (`material::JACKET`: {density} kg/m², C = {stretch} N/m, G = {shear} N/m, \
-             B = {bend:.1e} N·m), laid flat, held along its border, with a drag of {} /s. Springs and masses follow from the fabric by the laws of \
-             `material`, with the stiffness of bend springs right at folds of {FOLD} rad. Distances are RMS over the particles of \
-             the coarser grid, / sheet size, the finer one interpolated (cubically) between its particles: at rest after {} s, and in motion over the first {MOTION} s.",
+             B = {bend:.1e} N·m), laid flat and pinned along its border, with a drag of {} /s. Springs and masses follow from the fabric by the laws of \
+             `material`; the stiffness of bend springs is exact at folds of {FOLD} rad. Distances are RMS over the particles of the coarser grid, / sheet size; \
+             the finer sheet is interpolated (cubically) between its particles. They are given at rest, after {} s, and in motion, over the first {MOTION} s.",
             self.drag, self.seconds
         )
     }
 }
 
 impl Outcome {
-    /// How far a sheet is from a finer one at rest, and in motion: RMS over its own particles, over the sheet's size.
+    /// Distances from a finer sheet at rest and in motion: RMS over this sheet's particles, divided by the sheet's size.
     pub(crate) fn distances(&self, finer: &Self) -> [f64; 2] {
         let place = |index: usize| index as f64 / (self.side - 1) as f64;
         let places: Vec<_> = (0..self.side * self.side).map(|i| [place(i % self.side), place(i / self.side)]).collect();
@@ -154,8 +154,8 @@ pub(crate) fn cropped(picture: &RgbImage) -> RgbImage {
     imageops::crop_imm(picture, 0, side / 5, side, side / 2 - side / 20).to_image()
 }
 
-/// A place of the sheet between particles, by cubic interpolation along both sides: straight lines would be further from the sheet than the
-/// sheet from its limit. `place` counts sides of the sheet.
+/// A point of the sheet between particles, by cubic interpolation along both sides: linear interpolation would have a larger error than the
+/// grid. `place` is in sides of the sheet.
 fn at(positions: &[[f64; 3]], side: usize, place: [f64; 2]) -> [f64; 3] {
     let [(column, across), (row, down)] = place.map(|x| {
         let x = x * (side - 1) as f64;
@@ -172,7 +172,7 @@ fn at(positions: &[[f64; 3]], side: usize, place: [f64; 2]) -> [f64; 3] {
     sum
 }
 
-/// Lagrange's weights of values at 0, 1, 2 and 3 for the value at `x`.
+/// Weights of Lagrange interpolation at `x` from values at 0, 1, 2 and 3.
 fn cubic(x: f64) -> [f64; 4] {
     core::array::from_fn(|i| {
         let others = (0..4).filter(|j| *j != i).map(|j| (x - f64::from(j as u8)) / (i as f64 - f64::from(j as u8)));

@@ -1,4 +1,4 @@
-//! The sheet on finer and finer grids.
+//! The awning on finer and finer grids.
 
 use std::path::Path;
 
@@ -17,14 +17,14 @@ const SIDE: u32 = 400;
 /// Pictures side by side.
 const PICTURES: usize = 4;
 
-/// One sheet for each grid, the finest last.
+/// The results of one awning on several grids, the finest last.
 #[derive(Clone, Debug)]
 pub(crate) struct Grids {
     awning: Awning,
     outcomes: Vec<Outcome>,
 }
 
-/// A line of the table.
+/// A row of the table.
 #[derive(Clone, Debug, Serialize)]
 struct Row {
     side: usize,
@@ -73,12 +73,12 @@ impl Grids {
         page.picture("the sheet at rest on four grids", "grids.png");
         let order = |index: usize, of: fn(&Row) -> Option<f64>| {
             let (before, row) = (rows.get(index.checked_sub(1)?)?, rows.get(index)?);
-            // The distance to the finest grid is not the distance to the limit.
+            // The distance from the finest grid is not the distance from the limit: the order accounts for the finest cell.
             let limit = rows.last()?.cell;
             order(before.cell, of(before)?, row.cell, of(row)?, limit)
         };
         page.paragraph(&format!(
-            "{} Distances to the grid of {finest} × {finest}; orders allow for the error of that grid.",
+            "{} Distances are from the grid of {finest} × {finest}; orders account for the error of that grid.",
             self.awning.method()
         ));
         page.table(
@@ -163,7 +163,7 @@ impl Grids {
     }
 }
 
-/// The order p by which errors fall with the side of a cell, from the distances of two grids to a third with cells of `limit`: distances are
+/// The order p of the error in the side of a cell a, from the distances of two grids from a third one with cells of `limit`. Distances are
 /// c·(aᵖ − limitᵖ).
 fn order(coarse: f64, far: f64, fine: f64, near: f64, limit: f64) -> Option<f64> {
     let ratio = |p: f64| (coarse.powf(p) - limit.powf(p)) / (fine.powf(p) - limit.powf(p));

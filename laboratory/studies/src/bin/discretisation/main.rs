@@ -1,4 +1,4 @@
-//! What the grid and the material do to the result: `cargo study discretisation --help`.
+//! Effects of grid and material on the result: `cargo study discretisation --help`.
 
 mod awning;
 mod grids;

@@ -1,4 +1,4 @@
-//! The sheet with one property changed at a time.
+//! The awning with one property changed at a time.
 
 use std::path::Path;
 
@@ -13,12 +13,12 @@ use laboratory::page::{Page, scientific, write_csv, write_png};
 use laboratory::plot::{Axis, COLOURS, Curve, Marker, Plot};
 use laboratory::strip::strip;
 
-/// By how much a property is changed.
+/// Factors on a property.
 const FACTORS: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 4.0];
 /// The side of a picture, pixels.
 const SIDE: u32 = 400;
 
-/// What is changed.
+/// A property that is changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Property {
     Stiffness,
@@ -46,7 +46,7 @@ impl Property {
         }
     }
 
-    /// The sheet with that property changed by a factor, and the property's value in words.
+    /// The awning with the property multiplied by a factor, and the new value in words.
     fn changed(self, awning: &Awning, factor: f64) -> (Awning, String) {
         let mut changed = *awning;
         let Material { density, stretch, shear, bend, .. } = &mut changed.material;
@@ -72,7 +72,7 @@ impl Property {
     }
 }
 
-/// What became of the sheet with each property at each value.
+/// The results with each property at each value.
 #[derive(Clone, Debug)]
 pub(crate) struct Parameters {
     awning: Awning,
@@ -88,7 +88,7 @@ struct Change {
     outcome: Outcome,
 }
 
-/// A line of the table.
+/// A row of the table.
 #[derive(Clone, Debug, Serialize)]
 struct Row {
     property: &'static str,
@@ -112,7 +112,7 @@ impl Parameters {
             Ok::<_, String>(Change { property, factor, words, outcome })
         };
         let mut changes: Vec<Change> = all.par_iter().map(run).collect::<Result<_, _>>()?;
-        // Numbers of sweeps are whole: factors may meet in one.
+        // Sweeps are rounded to whole numbers, so that two factors may give the same number.
         changes.dedup_by(|a, b| a.property == b.property && a.words == b.words);
         Ok(Self { awning, side, changes })
     }
@@ -139,7 +139,7 @@ impl Parameters {
         let rows = self.rows();
         page.paragraph("## One property at a time");
         page.paragraph(&format!(
-            "{1} On {0} × {0} particles; distances are those to the sheet as it is above.",
+            "{1} Grid: {0} × {0} particles. Distances are from the sheet without changes.",
             self.side,
             self.awning.method()
         ));

@@ -1,4 +1,4 @@
-//! One run: a sheet that is held at two corners or in its centre, let go from a state that no solver likes.
+//! One run: a sheet that is pinned at two corners or in its centre starts with displacements without any symmetry, which challenge every solver.
 
 use instances::simulation;
 use kerchief::host::{Description, Everything, ScalarKind, SolverKind, Wind, WindModel};
@@ -6,21 +6,21 @@ use kerchief::host::{Description, Everything, ScalarKind, SolverKind, Wind, Wind
 const GRAVITY: f64 = 9.81;
 const DENSITY: f64 = 0.2;
 const SIZE: f64 = 1.0;
-/// How far a sheet may go, sizes.
+/// The largest allowed coordinate of a sheet, sizes.
 const FURTHEST: f64 = 10.0;
 
-/// The largest grid that all programs have in every number type, and the largest of all, which is here in floats alone.
+/// The largest grid that is compiled in every number type, and the largest grid of this program, in `f32` only.
 const LARGE: usize = 64;
 pub(crate) const LARGEST: usize = 128;
 
-/// How a sheet begins.
+/// The start of a sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Pose {
-    /// Upright, held at its upper corners.
+    /// Upright, pinned at its upper corners.
     Hung,
-    /// Flat, held at two corners.
+    /// Flat, pinned at two corners.
     Laid,
-    /// Flat, held in its centre.
+    /// Flat, pinned in its centre.
     Centre,
 }
 
@@ -30,13 +30,13 @@ pub(crate) struct Experiment {
     pub(crate) pose: Pose,
     /// Particles a side.
     pub(crate) side: usize,
-    /// Of stretch springs, N/m; shear springs have a tenth, bend springs a hundredth.
+    /// Stiffness of stretch springs, N/m; shear springs have a tenth of it, bend springs a hundredth.
     pub(crate) stiffness: f64,
-    /// Mass of a border particle over that of another.
+    /// Mass of a border particle divided by the mass of an inner one.
     pub(crate) hem: f64,
-    /// Of aerodynamic wind across the sheet, m/s.
+    /// Speed of aerodynamic wind across the sheet, m/s.
     pub(crate) wind: f64,
-    /// Of the whole sheet, 1/s.
+    /// Drag of the whole sheet, 1/s.
     pub(crate) drag: f64,
     /// A frame, s.
     pub(crate) frame: f64,
@@ -54,19 +54,19 @@ pub(crate) const USUAL: Experiment = Experiment {
     substeps: 1,
 };
 
-/// What came of it.
+/// The outcome of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Outcome {
-    /// The number type does not hold a value.
+    /// The number type does not represent a value of the scene.
     NotHeld,
-    /// It takes too long.
+    /// The run would take too long.
     NotComputed,
-    /// A number of the state was not finite, or the sheet left.
+    /// A number of the state was not finite, or the sheet has left the allowed range.
     Gone,
     Held {
         /// The largest strain of a stretch link at the end of a frame.
         strain: f64,
-        /// By how much the energy exceeded that of the start, weights of the sheet times its size; undefined where the number type holds springs for rigid.
+        /// The largest gain of energy since the start, in weights of the sheet times its size; undefined if the number type treats springs as rigid.
         energy: f64,
     },
 }
@@ -77,19 +77,19 @@ impl Experiment {
         DENSITY * SIZE * SIZE / (self.side * self.side) as f64
     }
 
-    /// The highest angular frequency of its springs, 1/s: neighbours that move against each other along a row stretch two links each by twice
-    /// their way, ω² = 4·k/m, and so do the diagonals, `ω² = 4·k_shear/m`.
+    /// The highest angular frequency of the springs, 1/s. Neighbours that move against each other along a row each stretch two links by twice
+    /// their displacement: ω² = 4·k/m. So do the diagonals: `ω² = 4·k_shear/m`.
     pub(crate) fn frequency(&self) -> f64 {
         (4.0 * 1.1 * self.stiffness / (self.mass() * self.hem.min(1.0))).sqrt()
     }
 
-    /// At which rate wind takes a particle along, 1/s: the derivative of its force by the velocity, 2·½·ρ·c·A·v.
+    /// The rate at which a particle approaches the wind's velocity, 1/s: the derivative of the wind's force by the velocity, 2·½·ρ·c·A·v, divided by the mass.
     pub(crate) fn wind_rate(&self) -> f64 {
         let area = SIZE * SIZE / ((self.side - 1) * (self.side - 1)) as f64;
         AIR * PLATE * area * self.wind / self.mass()
     }
 
-    /// Runs it for so many frames.
+    /// Runs the experiment for a number of frames.
     pub(crate) fn run(&self, solver: SolverKind, scalar: ScalarKind, frames: u32) -> Result<Outcome, String> {
         let scene = self.scene(solver)?;
         let moving = match (self.side, scalar) {
@@ -100,7 +100,7 @@ impl Experiment {
         };
         let Ok(mut moving) = moving else { return Ok(Outcome::NotHeld) };
         let mut state = moving.state();
-        // displaced by up to a twentieth of a cell, without any symmetry
+        // Displacements by up to a twentieth of a cell along each axis, without any symmetry.
         let amount = 0.05 * SIZE / (self.side - 1) as f64;
         for (k, (position, pinned)) in state.still.positions.iter_mut().zip(&state.pinned).enumerate() {
             if !pinned {
@@ -111,7 +111,7 @@ impl Experiment {
         }
         moving.restore(&state);
         let weight = DENSITY * SIZE * SIZE * GRAVITY * SIZE;
-        // in fixed point it comes back from the other end of the range
+        // In fixed point a sheet that leaves the range reappears at its other end: the limit is inside the range.
         let range = if matches!(scalar, ScalarKind::F32 | ScalarKind::F64) { f64::INFINITY } else { 100.0 };
         let gone = SIZE * f64::min(FURTHEST, range / (self.side - 1) as f64);
         let start = moving.energy();
@@ -125,13 +125,13 @@ impl Experiment {
             }
             strain = strain.max(now);
             let gain = (moving.energy() - start) / weight;
-            // of rigid springs in fixed point it is undefined
+            // The energy of rigid springs in fixed point is undefined.
             energy = if energy.is_nan() || !gain.is_finite() { f64::NAN } else { energy.max(gain) };
         }
         Ok(Outcome::Held { strain, energy })
     }
 
-    /// Whether it is computed: large grids by the line solver alone, the largest in one pose.
+    /// Whether the run is computed: only the line solver runs large grids, and the largest one in one pose only.
     fn is_affordable(&self, solver: SolverKind) -> bool {
         let most = match solver {
             SolverKind::Lines if self.pose == Pose::Laid => LARGEST,
@@ -151,7 +151,7 @@ impl Experiment {
             Pose::Hung => ("hang", [-half, 0.0, half]),
             Pose::Laid | Pose::Centre => ("lay", [-half, -half, 0.0]),
         };
-        // a scene file has no larger one
+        // A scene file cannot name a larger grid.
         let named = side.min(LARGE);
         let text = format!(
             "name = \"stability\"\n\
@@ -177,21 +177,22 @@ impl Experiment {
     }
 }
 
-/// kg/m³, and the drag coefficient of a plate.
+/// Density of air, kg/m³, and the drag coefficient of a plate.
 const AIR: f64 = 1.2;
 const PLATE: f64 = 1.2;
 
-/// What is done, in words.
+/// A description of the experiment and of the maps.
 pub(crate) fn words(frames: u32) -> String {
     format!(
-        "A square sheet of {SIZE} m and {DENSITY} kg/m², every particle displaced by up to 5 % of a cell, is let go: for {frames} solver steps where steps differ, for {} \
-         sixtieths of a second where substeps do. Unless a map says otherwise it hangs from two corners and has {} × {} particles, stretch springs of {} N/m (shear a tenth, bend a \
-         hundredth of that), a drag of {} /s and steps of {:.1} ms. Position Verlet has 4 sweeps, the others their defaults. Strain is the largest of a stretch link at the end of \
-         any frame; the gain of energy is the largest over that of the start, in weights of the sheet times its size; what a solver leaves of strain in nearly rigid springs \
-         counts.\n\n\
-         *Black*: the sheet is gone, undefined or {FURTHEST} times its size away. *Hatched*: the number type does not hold a value, and the scene is refused; or it holds springs \
-         for rigid, which have no energy; or it was not computed. Lines are the limits of theory: h = 2/ω for leapfrog and h = γ/ω² for forward Euler with drag γ, ω² = 4·(k + k_shear)/m; in \
-         wind also h = 2/rate with the rate ρ·c·A·v/m at which it takes a particle along: beyond that line wind taken at a step's start would overshoot, were it not bounded.",
+        "A square sheet of {SIZE} m and {DENSITY} kg/m² starts with every free particle displaced by up to 5 % of a cell. Maps over the step run {frames} solver steps, maps over \
+         substeps {} sixtieths of a second. Unless a map says otherwise, the sheet hangs from two corners. It has {} × {} particles, stretch springs of {} N/m (shear springs a \
+         tenth, bend springs a hundredth of that), a drag of {} /s and steps of {:.1} ms. Position Verlet has 4 sweeps, the other solvers their defaults. *Strain* is the largest \
+         strain of a stretch link at the end of any frame. *Gain of energy* is the largest increase since the start, in weights of the sheet times its size. It includes the \
+         energy of strain that a solver leaves in nearly rigid springs.\n\n\
+         *Black*: a number is not finite, or the sheet is {FURTHEST} times its size away. *Hatched*: the number type does not represent a value, and the scene is refused; or \
+         the number type treats springs as rigid, so that their energy is undefined; or the run was not computed. Lines are limits of theory: h = 2/ω for leapfrog and h = γ/ω² \
+         for forward Euler with drag γ, where ω² = 4·(k + k_shear)/m. In wind there is also the limit h = 2/rate. Here rate = ρ·c·A·v/m is the rate at which a particle approaches \
+         the wind's velocity. Beyond this limit, wind that is evaluated at a step's start would overshoot if it were not bounded.",
         frames.div_ceil(4),
         USUAL.side,
         USUAL.side,

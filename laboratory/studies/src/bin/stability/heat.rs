@@ -1,4 +1,4 @@
-//! Heat maps in SVG: a panel for each solver and number type, colours in powers of ten, limits as lines.
+//! Heat maps in SVG: a panel for each solver and number type, with logarithmic colours and limits as lines.
 
 use std::path::Path;
 
@@ -12,19 +12,19 @@ use laboratory::page;
 const FONT: &str = "sans-serif";
 /// Width and height of a panel without its labels, pixels.
 const PANEL: (i32, i32) = (230, 150);
-/// Room for labels to the left, above, between and below.
+/// Space for labels to the left, above, between and below, pixels.
 const LEFT: i32 = 70;
 const TOP: i32 = 64;
 const GAP: (i32, i32) = (26, 46);
 const BOTTOM: i32 = 34;
 const REFUSED: RGBColor = RGBColor(225, 225, 225);
 const HATCH: RGBColor = RGBColor(150, 150, 150);
-/// Shades of a scale.
+/// Number of shades of a scale.
 const SHADES: f64 = 25.0;
-/// Width of the legend.
+/// Width of the legend, pixels.
 const LEGEND: i32 = 120;
 
-/// What colours mean, from light to dark, in powers of ten.
+/// A logarithmic colour scale, from light to dark.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scale {
     pub(crate) words: &'static str,
@@ -32,7 +32,7 @@ pub(crate) struct Scale {
     pub(crate) high: f64,
 }
 
-/// What a cell shows of its outcome: strain or energy.
+/// An outcome, and the value of it that the cell shows: strain or energy.
 type Cell = (Outcome, fn(f64, f64) -> f64);
 
 /// One map.
@@ -41,7 +41,7 @@ pub(crate) struct Panel {
     pub(crate) title: String,
     /// Row by row, from the lowest.
     pub(crate) cells: Vec<Cell>,
-    /// Of each column, on the vertical axis.
+    /// The limit in each column, on the vertical axis.
     pub(crate) limit: Vec<Option<f64>>,
 }
 
@@ -67,12 +67,12 @@ struct Frame {
 impl Scale {
     fn colour(&self, value: f64) -> RGBColor {
         let part = (value.max(self.low) / self.low).ln() / (self.high / self.low).ln();
-        // in few shades, so that neighbours can be one rectangle
+        // Few shades, so that equal neighbours can be drawn as one rectangle.
         ramp((SHADES * part.clamp(0.0, 1.0)).round() / SHADES)
     }
 }
 
-/// From light yellow over orange and red to dark violet, evenly darker.
+/// A colour between light yellow (0) and dark violet (1), over orange and red, steadily darker.
 fn ramp(part: f64) -> RGBColor {
     const STOPS: [[f64; 3]; 6] = [
         [255.0, 250.0, 220.0],
@@ -168,7 +168,7 @@ impl Sheet<'_> {
         Ok(())
     }
 
-    /// The colour of a cell, none where a scene is refused.
+    /// The colour of a cell; `None` if the run was refused or not computed, or if its value is undefined.
     fn fill(&self, (outcome, of): &Cell) -> Option<RGBColor> {
         match outcome {
             Outcome::Held { strain, energy } => {
@@ -197,7 +197,7 @@ impl Sheet<'_> {
         let refused = [(left, top + 206), (left + 18, top + 220)];
         area.draw(&Rectangle::new(refused, REFUSED.filled()))?;
         area.draw(&PathElement::new(vec![(left, top + 220), (left + 18, top + 206)], HATCH))?;
-        text(area, "not held", (left + 24, top + 213), 13, HPos::Left)?;
+        text(area, "not computed", (left + 24, top + 213), 13, HPos::Left)?;
         area.draw(&PathElement::new(
             vec![(left, top + 235), (left + 18, top + 235)],
             RGBColor(0, 114, 178).stroke_width(3),
@@ -206,14 +206,14 @@ impl Sheet<'_> {
     }
 }
 
-/// Where a value stands among `values`, which rise in powers, counted from the first.
+/// The position of a value among `values`, as an index with a fraction. Between two values it is interpolated logarithmically.
 fn place(values: &[f64], value: f64) -> f64 {
     let next = values.partition_point(|v| *v < value).clamp(1, values.len() - 1);
     let (low, high) = (values[next - 1], values[next]);
     (next - 1) as f64 + (value / low).ln() / (high / low).ln()
 }
 
-/// The values that are written: up to seven.
+/// The values with a label: up to seven.
 fn marked(values: &[f64]) -> impl Iterator<Item = (usize, f64)> + '_ {
     let step = values.len().div_ceil(7);
     values.iter().copied().enumerate().step_by(step)

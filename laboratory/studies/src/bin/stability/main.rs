@@ -1,4 +1,4 @@
-//! Where solvers hold and where they don't: `cargo study stability --help`.
+//! Stability limits of the solvers: `cargo study stability --help`.
 
 mod experiment;
 mod heat;

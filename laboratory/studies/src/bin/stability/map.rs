@@ -1,4 +1,4 @@
-//! A map: two things that change, and what came of it for every solver and number type.
+//! A map: the outcomes over two variables, for every solver and number type.
 
 use std::path::Path;
 
@@ -11,24 +11,24 @@ use crate::experiment::{Experiment, LARGEST, Outcome, Pose, USUAL};
 use crate::heat::{Panel, Scale, Sheet};
 use laboratory::page::Page;
 
-/// What is explored.
+/// Solvers, number types and sizes of the study.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Setting<'a> {
     pub(crate) solvers: &'a [SolverKind],
     pub(crate) scalars: &'a [ScalarKind],
     /// Values along each axis.
     pub(crate) points: u32,
-    /// Frames of a run whose frames have one substep; others have a quarter of them.
+    /// Frames of a run in maps over the step, with one substep each; maps over substeps run a quarter of them.
     pub(crate) frames: u32,
     /// The most particles a side.
     pub(crate) most: u32,
 }
 
-/// Something that changes.
+/// A variable of an axis.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Variable {
     pub(crate) words: &'static str,
-    /// Its values, spread evenly in powers of ten, or these.
+    /// Its values: spread evenly on a logarithmic scale, or listed.
     values: Values,
     set: fn(&mut Experiment, f64),
 }
@@ -55,20 +55,20 @@ impl Variable {
     }
 }
 
-/// A map to be made.
+/// The plan of a map.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plan {
     pub(crate) name: &'static str,
     pub(crate) title: &'static str,
-    /// What there is to say of its sheets, besides what holds for all.
+    /// Differences of its sheets from the usual sheet, in words.
     words: &'static str,
-    /// The sheet of which two things change.
+    /// The sheet whose two variables change.
     usual: Experiment,
     across: Variable,
     up: Variable,
-    /// The value of `up` at which a solver stops to hold by theory, from that of `across`.
+    /// The value of `up` at which a solver becomes unstable by theory, in an experiment with a given value of `across`.
     limit: fn(SolverKind, Experiment) -> Option<f64>,
-    /// Whether its energy is drawn too.
+    /// Whether the energy is drawn, too.
     energy: bool,
 }
 
@@ -81,7 +81,7 @@ const STIFFNESS: Variable = Variable {
     set: |experiment, stiffness| experiment.stiffness = stiffness,
 };
 
-/// The step at which springs are too fast.
+/// The longest stable step for the springs.
 fn too_fast(solver: SolverKind, experiment: Experiment) -> Option<f64> {
     let frequency = experiment.frequency();
     match solver {
@@ -97,7 +97,7 @@ const SIDE: Variable = Variable {
     set: |experiment, side| experiment.side = side as usize,
 };
 
-/// Of a sixtieth of a second.
+/// Substeps of a sixtieth of a second.
 const SUBSTEPS: Variable = Variable {
     words: "substeps of 1/60 s",
     values: Values::These(&[1.0, 2.0, 4.0, 8.0, 16.0]),
@@ -110,14 +110,15 @@ const WIND: Variable = Variable {
     set: |experiment, wind| experiment.wind = wind,
 };
 
-/// The substeps at which springs are no longer too fast.
+/// The smallest stable number of substeps for the springs.
 fn too_few(solver: SolverKind, experiment: Experiment) -> Option<f64> {
     too_fast(solver, experiment).map(|step| experiment.frame / step)
 }
 
-/// Of grids: stiff, so that sheets don't stretch by their own weight.
+/// The sheet for maps over grids: stiff, so that it doesn't stretch by its own weight.
 const STIFF: Experiment = Experiment { stiffness: 1e4, drag: 2.0, ..USUAL };
-const SHEETS: &str = "Springs of 10⁴ N/m, drag 2 /s. Backward Euler up to 16 × 16, the line solver up to 64 × 64 (laid flat, in `f32`, to 128 × 128), the others up to 32 × 32.";
+const SHEETS: &str = "Springs of 10⁴ N/m, drag 2 /s. Largest grids: 16 × 16 for backward Euler, 64 × 64 for the line solver, 32 × 32 for the others. Laid flat and pinned at two \
+    corners, the line solver in `f32` goes to 128 × 128.";
 
 /// All maps.
 pub(crate) const MAPS: [Plan; 8] = [
@@ -170,7 +171,7 @@ pub(crate) const MAPS: [Plan; 8] = [
     },
     Plan {
         name: "laid",
-        title: "Laid flat and held at two corners: substeps and grid",
+        title: "Laid flat and pinned at two corners: substeps and grid",
         words: SHEETS,
         usual: Experiment { pose: Pose::Laid, ..STIFF },
         across: SIDE,
@@ -180,7 +181,7 @@ pub(crate) const MAPS: [Plan; 8] = [
     },
     Plan {
         name: "centre",
-        title: "Laid flat and held in the centre: substeps and grid",
+        title: "Laid flat and pinned in the centre: substeps and grid",
         words: SHEETS,
         usual: Experiment { pose: Pose::Centre, ..STIFF },
         across: SIDE,
@@ -214,7 +215,7 @@ pub(crate) const MAPS: [Plan; 8] = [
     },
 ];
 
-/// What came of every run of a map.
+/// The outcomes of all runs of a map.
 #[derive(Clone, Debug)]
 pub(crate) struct Map {
     pub(crate) plan: Plan,
@@ -223,7 +224,7 @@ pub(crate) struct Map {
     pub(crate) fields: Vec<Field>,
 }
 
-/// One solver's and number type's part of a map.
+/// The part of a map for one solver and number type.
 #[derive(Clone, Debug)]
 pub(crate) struct Field {
     pub(crate) solver: SolverKind,
@@ -232,7 +233,7 @@ pub(crate) struct Field {
     pub(crate) outcomes: Vec<Outcome>,
 }
 
-/// A line of the table.
+/// A row of the table.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Row {
     map: &'static str,
@@ -246,13 +247,13 @@ pub(crate) struct Row {
 }
 
 impl Plan {
-    /// The number of its runs.
+    /// The number of runs.
     pub(crate) fn runs(&self, setting: &Setting) -> u64 {
         let points = self.across.values(setting).len() * self.up.values(setting).len();
         (points * setting.solvers.len() * setting.scalars.len()) as u64
     }
 
-    /// The frames of a run: as many for all that a map compares.
+    /// The frames of a run: the same number in the whole map.
     fn frames(&self, setting: &Setting) -> u32 {
         if self.up.words == SUBSTEPS.words { setting.frames.div_ceil(4) } else { setting.frames }
     }
@@ -283,7 +284,7 @@ impl Plan {
         experiment
     }
 
-    /// Where theory ends at a value of `across`.
+    /// The theoretical limit on `up` at a value of `across`.
     pub(crate) fn limit(&self, solver: SolverKind, across: f64) -> Option<f64> {
         let up = match self.up.values {
             Values::Between(low, _) => low,

@@ -1,4 +1,4 @@
-//! The largest step that holds.
+//! The largest stable step.
 
 use kerchief::host::{ScalarKind, SolverKind};
 
@@ -6,15 +6,15 @@ use crate::experiment::Outcome;
 use crate::map::{Field, Map};
 use laboratory::page::Page;
 
-/// The strain up to which a run holds.
+/// A run counts as stable if its strain is below this.
 const MOST: f64 = 0.25;
 
-/// Adds the table for the stiffness that is nearest to a usual one, and for a hard one.
+/// Adds the table of largest stable steps for four stiffnesses of the map.
 pub(crate) fn report(maps: &[Map], page: &mut Page) {
     let Some(map) = maps.iter().find(|map| map.plan.name == "stiffness") else { return };
-    page.paragraph("## The largest step that holds");
+    page.paragraph("## Largest stable step");
     page.paragraph(&format!(
-        "Milliseconds; up to it every step of the map keeps the sheet, and no stretch link is strained by {} % in motion. *All*: every step of the map.",
+        "In ms. At this step of the map and at all shorter ones, the sheet does not become black and no stretch link is strained by {} % or more. *All*: every step of the map.",
         100.0 * MOST
     ));
     let nearest = |wanted: f64| {

@@ -1,4 +1,4 @@
-//! Instructions of a frame, counted by valgrind's callgrind: the program runs itself under it.
+//! Instructions of a frame, counted by valgrind's callgrind. The program runs itself under callgrind.
 
 use std::fs;
 use std::io::{self, Read, Write};
@@ -9,13 +9,13 @@ use kerchief::host::{Description, Simulation};
 use crate::lean;
 use laboratory::configuration::Configuration;
 
-/// The first word of the command line by which the program is told to move a sheet and nothing else.
+/// The first word of the command line that makes the program only move a sheet.
 const WORD: &str = "frames-for-callgrind";
 
-/// Frames before the counted one: a solver's first frame differs from all others.
+/// Frames before the counted one: a solver's first frame differs from the others.
 pub(crate) const BEFORE: u32 = 1;
 
-/// Has glibc clear and copy in loops. Where it takes `rep stosb` or `rep movsb`, which are one instruction, callgrind counts one for every byte.
+/// Makes glibc clear and copy memory in loops. Callgrind would count an instruction for every byte of `rep stosb` or `rep movsb`, which are one instruction each.
 const TUNABLES: &str = "glibc.cpu.x86_rep_stosb_threshold=0x7fffffff:glibc.cpu.x86_rep_movsb_threshold=0x7fffffff";
 
 /// Whether valgrind is on the path.
@@ -24,7 +24,7 @@ pub(crate) fn is_there() -> bool {
     quiet.is_ok_and(|status| status.success())
 }
 
-/// If that is what the command line asks for: moves the scene on the standard input by some frames.
+/// If the command line begins with `WORD`: moves the scene from stdin by `BEFORE` frames and the counted one.
 pub(crate) fn answer() -> Option<Result<(), String>> {
     let mut words = std::env::args().skip(1);
     (words.next()? == WORD).then(|| {
@@ -43,15 +43,15 @@ pub(crate) fn answer() -> Option<Result<(), String>> {
     })
 }
 
-/// What callgrind looks at.
+/// The frame that callgrind counts.
 #[inline(never)]
 fn frame_for_callgrind(moving: &mut dyn Simulation) {
     moving.frame();
-    // Keeps the call from becoming a jump, which callgrind would not see return.
+    // Prevents a tail call: callgrind would not see its return.
     std::hint::black_box(moving);
 }
 
-/// Instructions of the frame after [`BEFORE`], of all particles together.
+/// Instructions of the frame after [`BEFORE`] frames, for all particles together.
 pub(crate) fn instructions(text: &str, configuration: Configuration) -> Result<u64, String> {
     let failed = |error: io::Error| format!("valgrind: {error}");
     let room = tempfile::tempdir().map_err(failed)?;

@@ -1,4 +1,4 @@
-//! What a frame costs: operations, and instructions.
+//! The cost of a frame: operations and instructions.
 
 use std::collections::BTreeMap;
 
@@ -10,10 +10,10 @@ use crate::callgrind;
 use crate::lean;
 use laboratory::configuration::Configuration;
 
-/// Where in a run frames are counted, as parts of its length.
+/// Positions of the counted frames in a run, as parts of its length.
 const LOOKS: [f64; 3] = [0.25, 0.5, 0.75];
 
-/// Substeps (or the nearest that are run) at which callgrind looks.
+/// Substeps at which callgrind counts; the nearest numbers in the study are taken.
 const ANCHORS: [u32; 2] = [3, 12];
 
 /// Operations per particle and frame.
@@ -44,8 +44,8 @@ impl PerParticle {
     }
 }
 
-/// Operations of a solver in a scene, the mean of frames throughout the run, each after a frame in which the solver finds its pace; nothing where
-/// no counting sheet is compiled for the scene.
+/// Operations of a solver in a scene, as the mean of three frames during the run. A frame before each one lets the solver settle. `None` if no
+/// counting sheet is compiled for the scene.
 pub(crate) fn operations(scene: &Description, configuration: Configuration, frames: u32) -> Option<PerParticle> {
     let scene = configuration.of(scene);
     let mut counted = lean::counted(&scene)?.ok()?;
@@ -65,7 +65,7 @@ pub(crate) fn operations(scene: &Description, configuration: Configuration, fram
     Some(PerParticle::of(sum, particles * LOOKS.len() as f64))
 }
 
-/// The operations, of all particles together, of the frame that callgrind looks at.
+/// The operations of the frame that callgrind counts, for all particles together.
 fn operations_looked_at(scene: &Description, configuration: Configuration) -> Option<u64> {
     let mut counted = lean::counted(&configuration.of(scene))?.ok()?;
     (0..callgrind::BEFORE).for_each(|_| counted.frame());
@@ -74,12 +74,12 @@ fn operations_looked_at(scene: &Description, configuration: Configuration) -> Op
     Some(Counted::operations().total())
 }
 
-/// Instructions that an operation takes, by substeps.
+/// Instructions per operation at the anchors: (substeps, rate).
 #[derive(Clone, Debug)]
 pub(crate) struct Exchange(Vec<(u32, f64)>);
 
 impl Exchange {
-    /// Instructions of a frame of `operations`, at a rate between those of the anchors around it.
+    /// Instructions of a frame of `operations`. The logarithm of the rate is interpolated linearly in the logarithm of the substeps.
     pub(crate) fn instructions(&self, substeps: u32, operations: f64) -> f64 {
         let place = |&(anchor, rate): &(u32, f64)| (f64::from(anchor).ln(), rate.ln());
         let at = f64::from(substeps).ln();
@@ -93,7 +93,7 @@ impl Exchange {
         rate.exp() * operations
     }
 
-    /// By how much the rates at all anchors differ, as a part of them.
+    /// Relative difference between the largest and the smallest rate.
     pub(crate) fn spread(&self) -> f64 {
         let rates = || self.0.iter().map(|(_, rate)| *rate);
         let (low, high) = (rates().fold(f64::INFINITY, f64::min), rates().fold(0.0, f64::max));
@@ -101,7 +101,8 @@ impl Exchange {
     }
 }
 
-/// Instructions per operation for every group of configurations that differ in substeps alone, by callgrind. Without a counting sheet for the scene the substeps stand for operations.
+/// Instructions per operation for every group of configurations that differ only in substeps, by callgrind. If the scene has no counting sheet, substeps × particles
+/// replace the operations.
 pub(crate) fn exchanges(
     text: &str,
     scene: &Description,
@@ -134,7 +135,7 @@ pub(crate) fn exchanges(
     };
     let rates: Vec<_> = anchors.par_iter().map(rate).collect::<Result<_, _>>()?;
     let mut exchanges: BTreeMap<String, Exchange> = BTreeMap::new();
-    // anchors ascend
+    // The anchors ascend, as `Exchange::instructions` requires.
     for (configuration, rate) in rates {
         exchanges
             .entry(configuration.group())

@@ -1,4 +1,4 @@
-//! Scenes in motion, put together from no more parts than they name: what a program of one's own would run.
+//! Simulations that contain only the parts of their scene, as a user's own program would.
 
 use instances::simulation;
 use kerchief::host::{Bare, Counted, Description, Everything, ScalarKind, SceneError, Simulation};
@@ -6,7 +6,7 @@ use kerchief::{Q13, Q24, Scalar};
 
 type Moving = Result<Box<dyn Simulation>, SceneError>;
 
-/// Sets a scene in motion; one that needs more parts, or another grid, with all parts there are.
+/// Starts a scene. A scene that needs further parts or another grid gets a simulation with all parts.
 pub(crate) fn moving(scene: &Description, scalar: ScalarKind) -> Moving {
     let lean = match scalar {
         ScalarKind::F32 => on_grid::<f32>(scene),
@@ -17,13 +17,13 @@ pub(crate) fn moving(scene: &Description, scalar: ScalarKind) -> Moving {
     lean.unwrap_or_else(|| simulation(scene, scalar))
 }
 
-/// The same in `f32`, with its operations counted; nothing for other grids.
+/// The same in `f32` with counted operations; `None` for other grids.
 pub(crate) fn counted(scene: &Description) -> Option<Moving> {
     let large = || (sides(scene) == (32, 32)).then(|| scene.simulation_on::<Everything, Counted, 32, 32>());
     on_grid::<Counted>(scene).or_else(large)
 }
 
-/// The sheets that are compiled lean; it takes a while for each.
+/// The grids for which lean simulations are compiled; each adds to the build time.
 fn on_grid<S: Scalar + Send>(scene: &Description) -> Option<Moving> {
     let damped = [scene.stretch, scene.shear, scene.bend].into_iter().flatten().any(|spring| spring.damping != 0.0);
     let met = !scene.spheres.is_empty() || !scene.planes.is_empty() || !scene.capsules.is_empty();

@@ -1,4 +1,4 @@
-//! What accuracy costs: `cargo study work_precision --help`.
+//! The cost of accuracy: `cargo study work_precision --help`.
 
 mod callgrind;
 mod cost;
@@ -75,11 +75,11 @@ struct Args {
     cache: PathBuf,
 }
 
-/// What the page says before all scenes.
-const WORDS: &str = "*Error* is the RMS distance of all particles at the ends of all frames from a converged solution, over the sheet's size. *Strain* is the \
-    largest of any stretch link at the end of any frame. *Operations* (additions, products, quotients, roots, comparisons of numbers) are counted in \
-    `f32` in frames a quarter, a half and three quarters into the run. *Instructions* are those of x86-64: callgrind counts the second frame at two numbers of \
-    substeps for each solver, number type and number of sweeps, and operations carry that over to all others.";
+/// Introduction of the page.
+const WORDS: &str = "*Error* is the RMS distance of all particles from a converged solution at the ends of all frames, over the sheet's size. *Strain* is the \
+    largest strain of any stretch link at the end of any frame. *Operations* (additions, products, quotients, roots, comparisons of numbers) are counted in \
+    `f32`, in frames a quarter, a half and three quarters into the run. *Instructions* are those of x86-64. Callgrind counts them in the second frame, at two numbers of \
+    substeps for each solver, number type and number of sweeps. At other numbers of substeps they are estimated from the operations.";
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Cost {

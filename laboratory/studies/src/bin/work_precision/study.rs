@@ -1,4 +1,4 @@
-//! A scene solved in many ways: what each costs and how wrong it is.
+//! A scene solved by many configurations: their costs and errors.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -14,7 +14,7 @@ use laboratory::configuration::{Choice, Configuration};
 use laboratory::measurement::Measurement;
 use laboratory::reference::Reference;
 
-/// A configuration and what was seen of it.
+/// A configuration and its measurements.
 #[derive(Clone, Debug)]
 pub(crate) struct Point {
     pub(crate) configuration: Configuration,
@@ -22,33 +22,33 @@ pub(crate) struct Point {
     pub(crate) operations: Option<PerParticle>,
     /// Instructions per particle and frame.
     pub(crate) instructions: Option<f64>,
-    /// Time over that of the study's first point.
+    /// Computing time divided by that of the study's first point.
     pub(crate) time_ratio: f64,
 }
 
-/// A scene and what is asked of it.
+/// A scene, the number of its frames and the tolerance of its reference.
 #[derive(Clone, Debug)]
 pub(crate) struct Subject {
     pub(crate) text: String,
     pub(crate) scene: Description,
     pub(crate) frames: u32,
-    /// How close the reference has to come to its limit, sheet sizes; without, only strain is measured.
+    /// Tolerance of the reference, sheet sizes; without it, only strain is measured.
     pub(crate) tolerance: Option<f64>,
 }
 
-/// The result.
+/// The results of a subject.
 #[derive(Clone, Debug)]
 pub(crate) struct Study {
     pub(crate) subject: Subject,
     pub(crate) reference: Option<Reference>,
     pub(crate) points: Vec<Point>,
-    /// By how much instructions per operation differ with the number of substeps, as a part of them, the largest for each solver and number
-    /// type; without callgrind nothing.
+    /// Relative variation of instructions per operation with the number of substeps, the largest one for each solver and number
+    /// type; `None` without callgrind.
     pub(crate) spread: Option<BTreeMap<String, f64>>,
 }
 
 impl Subject {
-    /// Says what is wrong before anything is run.
+    /// Checks the configurations before any of them is run.
     pub(crate) fn check(&self, choice: &Choice, callgrind: bool) -> Result<(), String> {
         let in_scene = |reason: &dyn std::fmt::Display| format!("{}: {reason}", self.scene.name);
         let configurations = choice.configurations();
@@ -119,13 +119,13 @@ impl Subject {
 }
 
 impl Point {
-    /// What a frame costs per particle: instructions where they were counted, or else operations.
+    /// The cost of a frame per particle: instructions if they were counted, or else operations.
     pub(crate) fn cost(&self) -> f64 {
         self.instructions.or(self.operations.map(PerParticle::total)).unwrap_or(f64::NAN)
     }
 }
 
-/// A line of the table of all points.
+/// A row of the table of all points.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Row<'a> {
     scene: &'a str,
@@ -147,7 +147,7 @@ pub(crate) struct Row<'a> {
 }
 
 impl Study {
-    /// All points as lines of a table.
+    /// All points as rows of a table.
     pub(crate) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         let number = |value: f64| if value.is_finite() { format!("{value:e}") } else { "diverged".to_string() };
         self.points.iter().map(move |point| {

@@ -1,4 +1,4 @@
-//! What a study says: plots, tables, and what to choose.
+//! The report of a study: plots, tables and the best configurations.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -11,7 +11,7 @@ use laboratory::front::{best_within, cheapest, front};
 use laboratory::page::{Page, scientific, thousands};
 use laboratory::plot::{Axis, Curve, Plot};
 
-/// What the reader wants.
+/// Errors, strains and costs for which the best configuration is named.
 #[derive(Clone, Debug)]
 pub(crate) struct Wishes {
     pub(crate) errors: Vec<f64>,
@@ -19,18 +19,18 @@ pub(crate) struct Wishes {
     pub(crate) budgets: Vec<f64>,
 }
 
-/// What is put against cost.
+/// The quantity that is plotted against cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Quality {
     Error,
     Strain,
 }
 
-/// What is outside these is in no plot.
+/// Bounds of the plots: costs, and errors or strains.
 const COSTS: (f64, f64) = (1.0, 1e9);
 const QUALITIES: (f64, f64) = (1e-9, 1.0);
 
-/// What varies by less, as a part of it, does not vary.
+/// Relative variations up to this are summarised by their maximum; larger ones are listed.
 const STEADY: f64 = 0.05;
 
 impl Quality {
@@ -71,7 +71,7 @@ impl Study {
         if self.spread.is_some() { "instructions" } else { "operations" }
     }
 
-    /// One line that says what to choose.
+    /// One line with the best configurations.
     pub(crate) fn advice(&self, wishes: &Wishes) -> String {
         let mut parts = Vec::new();
         for (quality, points) in self.qualities() {
@@ -113,11 +113,11 @@ impl Study {
         if let Some(diverged) = self.diverged() {
             page.paragraph(&diverged);
         }
-        page.paragraph(&format!("*What to choose.* {}", self.advice(wishes)));
+        page.paragraph(&format!("*Best configurations.* {}", self.advice(wishes)));
         Ok(())
     }
 
-    /// What is measured against what.
+    /// A paragraph about sheet, reference and counts.
     fn basis(&self) -> String {
         let scene = &self.subject.scene;
         let seconds = f64::from(self.subject.frames) * scene.solver.step;
@@ -126,10 +126,10 @@ impl Study {
             scene.sheet.columns, scene.sheet.rows, self.subject.frames, scene.solver.step
         );
         let reference = self.reference.as_ref().map_or("Only strain is measured.".to_string(), |reference| {
-            let order = reference.order.map_or(String::new(), |order| format!(" (order seen: {order:.2})"));
+            let order = reference.order.map_or(String::new(), |order| format!(" (observed order: {order:.2})"));
             format!(
-                "The reference is leapfrog in f64 with {} substeps, extrapolated; it is {} of the sheet's size from what half as many \
-                 give{order}.",
+                "The reference is leapfrog in f64 with {} substeps, extrapolated. Its distance from the extrapolation from half as many substeps is {} \
+                 of the sheet's size{order}.",
                 reference.substeps,
                 scientific(reference.difference)
             )
@@ -139,9 +139,9 @@ impl Study {
             let most = steady.iter().map(|(_, spread)| **spread).fold(0.0, f64::max);
             let words = |(kind, spread): &(&String, &f64)| format!("{kind} by {:.0} %", 100.0 * **spread);
             let others: Vec<_> = others.iter().map(words).collect();
-            let but = if others.is_empty() { String::new() } else { format!("; but {}", others.join(", ")) };
+            let but = if others.is_empty() { String::new() } else { format!("; exceptions: {}", others.join(", ")) };
             format!(
-                " Instructions per operation vary by {:.1} % at most with the number of substeps{but}.",
+                " Instructions per operation vary by at most {:.1} % with the number of substeps{but}.",
                 100.0 * most
             )
         });
@@ -170,7 +170,7 @@ impl Study {
             rows.push(row);
         }
         page.paragraph(&format!(
-            "Thousand {} per particle and frame (substeps × sweeps; within the strain for which lines sweep again):",
+            "Thousands of {} per particle and frame (substeps × sweeps; *within* the strain above which the line solver sweeps again):",
             self.unit()
         ));
         page.table(&head, rows);
@@ -186,14 +186,14 @@ impl Study {
         kinds
     }
 
-    /// The points of one kind in their places; all others are nowhere.
+    /// The points of one kind. All others are replaced by undefined points, so that indices stay valid.
     fn own(&self, points: &[(f64, f64)], solver: SolverKind, scalar: ScalarKind) -> Vec<(f64, f64)> {
         let is_own = |point: &Point| point.configuration.solver == solver && point.configuration.scalar == scalar;
         let place = |(point, &place): (&Point, &(f64, f64))| if is_own(point) { place } else { (f64::NAN, f64::NAN) };
         self.points.iter().zip(points).map(place).collect()
     }
 
-    /// Which configurations blew up.
+    /// The configurations that blew up.
     fn diverged(&self) -> Option<String> {
         let mut groups: BTreeMap<String, Vec<(u32, bool)>> = BTreeMap::new();
         for point in &self.points {
@@ -203,7 +203,7 @@ impl Study {
         }
         let lost = groups.iter().filter(|(_, runs)| runs.iter().any(|(_, lost)| *lost));
         let all: Vec<_> = lost.map(|(group, runs)| format!("{group} at {}", stretches(runs))).collect();
-        (!all.is_empty()).then(|| format!("Diverged (at so many substeps): {}.", all.join("; ")))
+        (!all.is_empty()).then(|| format!("Diverged (with the numbers of substeps): {}.", all.join("; ")))
     }
 
     fn plot(&self, quality: Quality, points: &[(f64, f64)]) -> Plot<'_> {
@@ -237,7 +237,7 @@ impl Study {
     }
 }
 
-/// The marked ones of ascending numbers in words: `1 to 8, 32`.
+/// The marked numbers of an ascending list in words: `1 to 8, 32`.
 fn stretches(numbers: &[(u32, bool)]) -> String {
     let runs = numbers.chunk_by(|a, b| a.1 == b.1).filter(|run| run[0].1);
     let words = |run: &[(u32, bool)]| match *run {
