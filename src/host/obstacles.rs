@@ -147,7 +147,6 @@ impl Description {
             Fit::<S>::place(format!("{table}.point"), units.point(plane.point).0)?;
             let margin = units.length(plane.surface.margin);
             Fit::<S>::number(format!("{table}.margin"), margin.0)?;
-            Fit::<S>::number(format!("{table}.margin"), margin.0)?;
             let friction = plane.surface.friction;
             Fit::<S>::constant(format!("{table}.friction"), [friction])?;
             let plane = Plane::new(units.point(plane.point), Vec3::from_f64(plane.normal), margin);
