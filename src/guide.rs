@@ -1,8 +1,8 @@
 #![doc = include_str!("guide/links.md")]
 #![doc = include_str!("../docs/guide/README.md")]
 
-// A page defines its links for the repository, at its end. Before it stand those for here, and the first definition counts: pages link to each other, and what is in the
-// repository alone to the index' list of it. The test `guide` compares both.
+// Each page ends with its link definitions for the repository. The definitions for this documentation stand before the page, because the first definition of a label counts.
+// Files that are only in the repository link to their list in the index. The test `guide` compares both sets of definitions.
 macro_rules! pages {
     ($($page:ident $file:literal $($after:expr)?;)*) => {$(
         #[doc = include_str!("guide/links.md")]
@@ -15,7 +15,7 @@ macro_rules! pages {
 pages! {
     first_sheet "first-sheet";
     units "units";
-    // the picture, which has no address here, is drawn in the page itself
+    // the picture has no address in the documentation, so the page contains its SVG
     solver "solver" concat!(
         "\n<style>img[src^='data:image/svg'] { display: none } svg[viewBox='0 0 900 560'] { width: 100%; height: auto }</style>\n\n",
         include_str!("../docs/laboratory/two-corners-16-strain.svg")

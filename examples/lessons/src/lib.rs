@@ -1,4 +1,4 @@
-//! What the lessons share: a number from the command line, distances, times, and a plot.
+//! Common parts of the lessons: a number from the command line, distances, times, and a plot.
 
 use std::error::Error;
 use std::ops::Range;
@@ -14,7 +14,7 @@ const LEGEND: i32 = 190;
 const AREA: (f64, f64) = (556.0, 385.0);
 const FONT: &str = "sans-serif";
 
-/// Colours that can be told apart by everyone (M. Okabe, K. Ito, *Color universal design*, 2008).
+/// Colours that are distinguishable with every colour vision (M. Okabe, K. Ito, *Color universal design*, 2008).
 const COLOURS: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -38,7 +38,7 @@ pub fn farthest(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     a.iter().zip(b).map(apart).fold(0.0, f64::max)
 }
 
-/// The shortest of twenty times that some work takes, s.
+/// The shortest duration of twenty runs of `work`, s.
 pub fn shortest_time(mut work: impl FnMut()) -> f64 {
     let time = |_| {
         let start = Instant::now();
@@ -48,7 +48,7 @@ pub fn shortest_time(mut work: impl FnMut()) -> f64 {
     (0..20).map(time).fold(f64::MAX, f64::min)
 }
 
-/// A place where a curve is interrupted.
+/// A point at which a curve is interrupted.
 pub const GAP: [f64; 3] = [f64::NAN; 3];
 
 /// Curves over two axes.
@@ -62,24 +62,24 @@ pub struct Plot {
 }
 
 impl Plot {
-    /// A plot without a curve. The axes are named across and up.
+    /// A plot without curves. `axes` are the names of the horizontal and the vertical axis.
     pub const fn new(title: &'static str, axes: [&'static str; 2]) -> Self {
         Self { title, axes, powers: [false; 2], one_scale: false, curves: Vec::new() }
     }
 
-    /// Which of the axes, across and up, are in powers of ten.
+    /// Chooses logarithmic axes: horizontal, vertical.
     #[must_use]
     pub fn in_powers_of_ten(self, powers: [bool; 2]) -> Self {
         Self { powers, ..self }
     }
 
-    /// A metre across is as long as a metre up.
+    /// Gives both axes the same scale.
     #[must_use]
     pub fn at_one_scale(self) -> Self {
         Self { one_scale: true, ..self }
     }
 
-    /// Adds a curve, which is interrupted where a number is not finite.
+    /// Adds a curve. It is interrupted at points that are not finite.
     pub fn curve(&mut self, name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) {
         let [across, up] = self.powers.map(|powers| move |x: f64| if powers { x.log10() } else { x });
         let points = points.into_iter().map(|(x, y)| (across(x), up(y))).collect();
@@ -136,7 +136,7 @@ impl Plot {
         Ok(())
     }
 
-    /// From the smallest to the largest number of all curves, and a little more.
+    /// The range of one coordinate over all curves, with a small margin at each end.
     fn range(&self, of: impl Fn(&(f64, f64)) -> f64) -> Range<f64> {
         let all = self.curves.iter().flat_map(|(_, points)| points).map(of).filter(|value| value.is_finite());
         let (low, high) = all.fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
@@ -145,13 +145,13 @@ impl Plot {
     }
 }
 
-/// A range of this length with the same middle.
+/// A range with the same middle and the given length.
 fn widened(range: &Range<f64>, length: f64) -> Range<f64> {
     let middle = 0.5 * (range.start + range.end);
     middle - 0.5 * length..middle + 0.5 * length
 }
 
-/// A place on an axis as a number, without what adding up has left in its last places; a power of ten with two digits.
+/// The label of a place on an axis: a number without the rounding errors of its last digits, or a power of ten with two digits.
 fn label(place: f64, powers: bool) -> String {
     if !powers {
         return format!("{}", (place * 1e6).round() / 1e6 + 0.0);

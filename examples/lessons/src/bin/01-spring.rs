@@ -12,7 +12,7 @@ const FRAME: f64 = 0.0002; // s
 const PAIR: Sheet<f64, 1, 2> = Sheet::new([0.0, LENGTH], MASS, FRAME, 1);
 const END: Node = Node::new(0, 1);
 
-/// The upper particle is pinned, the lower one pulled down by so much (m).
+/// A pair whose upper particle is pinned and whose lower one is displaced downwards by `pull` (m).
 fn pulled(pull: f64) -> Cloth<f64, 1, 2> {
     let mut pair = PAIR.hang([0.0; 3]);
     pair.pin(Node::new(0, 0));

@@ -10,7 +10,7 @@ const OMEGA: f64 = 20.0; // sqrt(k/m), 1/s
 const PAIR: Sheet<f64, 1, 2> = Sheet::new([0.0, LENGTH], MASS, 0.001, 16);
 const ENDS: [Node; 2] = [Node::new(0, 0), Node::new(0, 1)];
 
-/// What is left of a displacement of 1 after `time`: the solution of m x'' = -k x - d x'.
+/// The displacement after `time`, 1 at the start: the solution of m x'' = -k x - d x'.
 fn exact(ratio: f64, time: f64) -> f64 {
     let root = (1.0 - ratio * ratio).abs().sqrt().max(1e-9);
     let phase = OMEGA * root * time;
@@ -18,7 +18,7 @@ fn exact(ratio: f64, time: f64) -> f64 {
     (-ratio * OMEGA * time).exp() * (even + odd * ratio / root)
 }
 
-/// Lets go a pair pulled by 0.1 m: what is left of that in each millisecond of five seconds.
+/// Releases a pair displaced by 0.1 m: time (s) and displacement relative to 0.1 m, for each millisecond of five seconds.
 fn ring(ratio: f64) -> Vec<(f64, f64)> {
     let scene = PAIR.scene((), PAIR.damped(PAIR.stretch(STIFFNESS), ratio * 2.0 * MASS * OMEGA), (), Leapfrog::new());
     let (mut pair, mut memory) = (PAIR.hang([0.0; 3]), scene.memory());
@@ -32,7 +32,7 @@ fn ring(ratio: f64) -> Vec<(f64, f64)> {
     (0..=5000).map(frame).collect()
 }
 
-/// Lets a pair fall whose lower particle gets 1 m/s sideways, and shows how it falls and how it turns after a second.
+/// Drops a pair whose lower particle starts at 1 m/s sideways. Prints its velocities of falling and turning after a second.
 fn fall(name: &str, drag: impl Force<f64>, links: impl Links<f64>) {
     let scene = PAIR.scene((PAIR.gravity([0.0, 0.0, -9.81]), drag), links, (), Leapfrog::new());
     let (mut pair, mut memory) = (PAIR.hang([0.0; 3]), scene.memory());

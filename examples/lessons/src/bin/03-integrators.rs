@@ -4,7 +4,7 @@ use kerchief::host::Counted;
 use kerchief::{BackwardEuler, ForwardEuler, Leapfrog, Node, Sheet, Solver, Verlet};
 use lessons::{Plot, argument};
 
-/// Displacement and energy (first: 1) of a particle with omega = 1 per s after each of `count` steps of `step` (s).
+/// Displacement and energy (1 at the start) of a particle with omega = 1 per s after each of `count` steps of `step` (s).
 fn swing(solver: impl Solver<f64>, step: f64, count: u32) -> Vec<(f64, f64)> {
     let pair = Sheet::<f64, 1, 2>::new([0.0, 1e5], 1.0, step, 1); // 1 kg, and a spring of 1 N/m
     let scene = pair.scene((), pair.stretch(1.0), (), solver);
@@ -20,7 +20,7 @@ fn swing(solver: impl Solver<f64>, step: f64, count: u32) -> Vec<(f64, f64)> {
     (0..=count).map(state).collect()
 }
 
-/// Operations for each particle of 16 x 16 in a step of 1/60 s.
+/// Operations per particle of a sheet of 16 x 16 in a step of 1/60 s.
 fn operations(solver: impl Solver<Counted>) -> u64 {
     let sheet = Sheet::<Counted, 16, 16>::new([0.3, 0.3], 1e-4, 1.0 / 60.0, 1);
     let scene = sheet.scene(sheet.gravity([0.0, 0.0, -9.81]), sheet.stretch(1.0), (), solver);

@@ -7,14 +7,14 @@ use lessons::{GAP, Plot, argument};
 const SIDE: usize = 11;
 const SHEET: Sheet<f64, SIDE, SIDE> = Sheet::new([1.0, 1.0], 0.002, 1.0 / 60.0, 8); // cells of 0.1 m
 
-/// A sheet whose particle at (x, y) is moved to `place(x, y)`, m.
+/// A sheet whose particles are moved from `p` to `place(p)`, m.
 fn deformed(place: impl Fn([f64; 3]) -> [f64; 3]) -> Cloth<f64, SIDE, SIDE> {
     let mut cloth = SHEET.lay([0.0; 3]);
     cloth.position.change(|at| SHEET.place(place(SHEET.metres(at))));
     cloth
 }
 
-/// What becomes of a sheet in 4 s.
+/// The sheet after 4 s.
 fn settled(mut cloth: Cloth<f64, SIDE, SIDE>, links: impl Links<f64>) -> Cloth<f64, SIDE, SIDE> {
     let scene = SHEET.scene((SHEET.gravity([0.0, 0.0, -9.81]), SHEET.drag(2.0)), links, (), Lines::new());
     let mut memory = scene.memory();
@@ -22,7 +22,7 @@ fn settled(mut cloth: Cloth<f64, SIDE, SIDE>, links: impl Links<f64>) -> Cloth<f
     cloth
 }
 
-/// Its rows and columns seen along y, moved to the side.
+/// Rows and columns of the sheet seen along y, shifted by `beside` (m).
 fn threads(cloth: &Cloth<f64, SIDE, SIDE>, beside: f64) -> Vec<(f64, f64)> {
     let at = |column, row| SHEET.metres(cloth.position.at(Node::new(column, row)));
     let pair = |i| (0..SIDE).map(move |j| at(i, j)).chain([GAP]).chain((0..SIDE).map(move |j| at(j, i))).chain([GAP]);

@@ -8,7 +8,7 @@ const MASS: f64 = 0.2; // kg, of 1 m²
 const SHEET: Sheet<f64, SIDE, SIDE> = Sheet::new([1.0, 1.0], MASS / 64.0, 0.001, 1);
 const SPEED: f64 = 2.0; // of the wind, m/s
 
-/// The force of a wind on the whole sheet, lying still (N): the momentum that it gains in a frame without links.
+/// The force of a wind on the whole sheet at rest (N): its change of momentum in a frame without links, per time.
 fn force(wind: impl Force<f64>) -> f64 {
     let scene = SHEET.scene(wind, (), (), ForwardEuler::new());
     let mut cloth = SHEET.lay([0.0; 3]);
@@ -16,7 +16,7 @@ fn force(wind: impl Force<f64>) -> f64 {
     measure::momentum(&cloth, &SHEET.units)[2] / SHEET.units.frame
 }
 
-/// The mean velocity upward (m/s) of a sheet that is let go, in each millisecond of 0.3 s.
+/// The mean velocity upward (m/s) of a released sheet, in each millisecond of 0.3 s.
 fn flight(forces: impl Force<f64>) -> Vec<(f64, f64)> {
     let scene = SHEET.scene(forces, (SHEET.stretch(50.0), SHEET.shear(5.0), SHEET.bend(5.0)), (), Leapfrog::new());
     let (mut cloth, mut memory) = (SHEET.lay([0.0; 3]), scene.memory());
@@ -42,7 +42,7 @@ fn main() {
         println!("{degrees:19} {by_facet:10.3} {across:11.3} {by_plate:16.3} {square:23.3}");
     }
     let (wind, weight) = ([0.0, 0.0, SPEED], SHEET.gravity([0.0, 0.0, -9.81]));
-    let last = (MASS * 9.81 / half).sqrt(); // where drag carries the weight, m/s
+    let last = (MASS * 9.81 / half).sqrt(); // the velocity at which drag balances the weight, m/s
     let mut plot = Plot::new("A sheet let go in air", ["time, s", "velocity upward, m/s"]);
     println!("\nvelocity upward, m/s, after  0.1 s    exactly    0.3 s    exactly");
     let mut show = |name: &str, course: Vec<(f64, f64)>, [early, late]: [f64; 2]| {

@@ -7,7 +7,7 @@ const SIDE: usize = 16;
 const SHEET: Sheet<f64, SIDE, SIDE> = Sheet::new([0.6, 0.6], 3e-4, 1.0 / 60.0, 8); // cells of 4 cm
 const RADIUS: f64 = 0.15; // m
 
-/// How far a sheet on a slope has slid after half a second, m. The plane is level, and gravity tilts.
+/// The distance that a sheet has slid on a slope in half a second, m. The plane is level, and gravity is tilted.
 fn slid(slope: f64, friction: f64) -> f64 {
     let gravity = SHEET.gravity([9.81 * slope.sin(), 0.0, -9.81 * slope.cos()]);
     let ground = SHEET.plane([0.0; 3], [0.0, 0.0, 1.0], 0.0).with_friction(friction);
@@ -17,7 +17,7 @@ fn slid(slope: f64, friction: f64) -> f64 {
     SHEET.metres(cloth.position.at(Node::new(0, 0)))[0]
 }
 
-/// Where the particles are of a sheet that fell on a ball 0.6 s ago, 2 cm beside its middle, m.
+/// Positions (m) of the particles of a sheet 0.6 s after its release on top of a ball, 2 cm beside its middle.
 fn draped(margin: f64, friction: f64) -> Vec<[f64; 3]> {
     let forces = (SHEET.gravity([0.0, 0.0, -9.81]), SHEET.drag(1.0));
     let ball = SHEET.ball([0.0, 0.0, -RADIUS - margin], RADIUS, margin).with_friction(friction);
@@ -35,7 +35,7 @@ fn main() {
     });
     let [found, law] = [slides, friction.atan()].map(f64::to_degrees);
     println!("friction {friction}: slides from {found:.2} degrees on, by Coulomb's law from {law:.2}");
-    let needed = RADIUS.hypot(0.02) - RADIUS; // so far from the ball are ends 4 cm apart whose middle touches it
+    let needed = RADIUS.hypot(0.02) - RADIUS; // distance of the ends of a link of 4 cm whose middle touches the ball
     println!("\nmargin, mm   nearest particle, mm   nearest middle of a link, mm");
     for margin in [0.0, needed] {
         let places = draped(margin, friction);

@@ -9,9 +9,9 @@ const fn chain<const N: usize>(substeps: u32) -> Sheet<Counted, 1, N> {
     Sheet::new([0.0, 1.0], 0.01, 1.0 / 60.0, substeps)
 }
 const STIFFNESS: f64 = 1e5; // N/m
-const TRUE: f64 = 100.0 * 31.0 * 0.01 * 9.81 / (STIFFNESS / 31.0); // %, of a link of 1/31 m under 31 particles
+const TRUE: f64 = 100.0 * 31.0 * 0.01 * 9.81 / (STIFFNESS / 31.0); // %, of a link of 1/31 m that carries 31 particles
 
-/// The strain of a hanging chain after 4 s (percent), and the operations of a frame for each particle.
+/// The strain of a hanging chain after 4 s (percent), and the operations per particle in a frame.
 fn hang<const N: usize>(substeps: u32, solver: impl Solver<Counted>, links: impl Links<Counted>) -> (f64, u64) {
     let chain = chain::<N>(substeps);
     let scene = chain.scene((chain.gravity([0.0, 0.0, -9.81]), chain.drag(4.0)), links, (), solver);
@@ -28,7 +28,7 @@ fn relaxed<const N: usize>(sweeps: u32) -> (f64, u64) {
     hang::<N>(1, Verlet { sweeps }, chain::<N>(1).stretch(STIFFNESS))
 }
 
-/// How many particles of a chain of 64 have moved after so many sweeps of one substep, once the lowest has been displaced.
+/// Displaces the lowest particle of a chain of 64 and counts the particles that have moved after the sweeps of one substep.
 fn heard(sweeps: u32) -> usize {
     let chain = Sheet::<f64, 1, 64>::new([0.0, 1.0], 0.01, 1.0 / 60.0, 1);
     let scene = chain.scene((), chain.stretch(STIFFNESS), (), Verlet { sweeps });

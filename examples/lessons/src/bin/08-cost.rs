@@ -1,4 +1,4 @@
-//! Which solver is right soonest? `cargo run --release -p lessons --bin 08-cost [-- STIFFNESS]`, N/m.
+//! Which solver needs the least work for a given error? `cargo run --release -p lessons --bin 08-cost [-- STIFFNESS]`, N/m.
 
 use kerchief::host::Counted;
 use kerchief::{BackwardEuler, Leapfrog, Lines, Node, Scalar, Sheet, Solver, Verlet, Xpbd};
@@ -7,7 +7,7 @@ use lessons::{Plot, argument, shortest_time};
 const SIDE: usize = 8;
 const FRAMES: u64 = 20; // a third of a second
 
-/// Where the particles of a sheet are that has swung from one edge, m.
+/// Positions of the particles after a sheet has swung from one edge, m.
 fn swing<S: Scalar>(solver: impl Solver<S>, substeps: u32) -> Vec<[f64; 3]> {
     let stiffness = argument(50.0);
     let sheet = Sheet::<S, SIDE, SIDE>::new([0.3, 0.3], 1e-3, 1.0 / 60.0, substeps);
@@ -25,7 +25,7 @@ fn apart(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     1e3 * (squares.sum::<f64>() / a.len() as f64).sqrt()
 }
 
-/// Operations for each particle in a frame, and the error against `truth`.
+/// Prints the solver's order and its cheapest run within 10 mm of `truth`, and plots error against operations per particle and frame.
 fn study<V: Solver<f64> + Solver<Counted> + Copy>(plot: &mut Plot, truth: &[[f64; 3]], name: &str, solver: V) {
     let point = |power: u32| {
         Counted::reset();

@@ -6,7 +6,7 @@ use lessons::{Plot, argument, farthest};
 const SIDE: usize = 12;
 const CELL: f64 = 0.02; // m
 
-/// Where the particles of a sheet are after each quarter of a second of ten, in cells from its first particle, which hangs `away` cells from the origin.
+/// Positions after each quarter second of ten seconds, in cells from the place (`away`, `away`, `away`) where the sheet starts.
 fn course<S: Scalar>(away: f64) -> Vec<Vec<[f64; 3]>> {
     let sheet = Sheet::<S, SIDE, SIDE>::new([CELL * (SIDE - 1) as f64; 2], 1e-3, 1.0 / 60.0, 8);
     let links = (sheet.stretch(1e4), sheet.shear(100.0), sheet.bend(10.0));
@@ -22,7 +22,7 @@ fn course<S: Scalar>(away: f64) -> Vec<Vec<[f64; 3]>> {
     (0..40).map(quarter).collect()
 }
 
-/// The largest distance of a particle from where it is in `f64`, cells.
+/// The largest distance of a particle from its place in `f64`, cells, with the time (s).
 fn drift<S: Scalar>(away: f64) -> Vec<(f64, f64)> {
     let both = course::<S>(away).into_iter().zip(course::<f64>(away));
     (1..).zip(both).map(|(quarter, (a, b))| (0.25 * f64::from(quarter), farthest(&a, &b))).collect()

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use kerchief::{Drag, Lines, Node, Q13, Q24, Scalar, Sheet, Vec3, Vectors, Xpbd, measure};
 use lessons::{Plot, argument, farthest, shortest_time};
 
-/// The scene `dragged` of the digests that boards compute, too.
+/// The digest of the scene `dragged`, which boards compute, too.
 fn digest<S: Scalar>() -> u32 {
     let sheet = Sheet::<S, 10, 10>::new([0.75, 0.6], 5e-4, 1.5 / 60.0, 3);
     let forces = (sheet.gravity([0.0, 0.0, -9.81]), Drag::new(sheet.units.verlet_damping(0.02)));
@@ -16,7 +16,7 @@ fn digest<S: Scalar>() -> u32 {
     measure::digest(&cloth)
 }
 
-/// A flag in `f32`, one number of which starts `places` last places beside: where all particles are in each of 300 frames.
+/// Positions of a flag in `f32` in each of 300 frames. One number of its initial state is changed by `places` last places.
 fn flag(wind: f64, places: f32) -> Vec<Vec<[f64; 3]>> {
     let sheet = Sheet::<f32, 16, 12>::new([0.6, 0.44], 2e-4, 1.0 / 60.0, 4);
     let air = sheet.aerodynamic_wind([wind, 0.1 * wind, 0.0], 1.2, 1.2);

@@ -1,4 +1,4 @@
-//! What lessons print is physics: closed forms, and what each page claims.
+//! The output of lessons agrees with closed forms and with the claims of each page.
 
 use std::f64::consts::TAU;
 
@@ -20,7 +20,7 @@ fn a_spring_swings_at_its_frequency() {
             assert_near(period, TAU / omega, 1e-3, 0.0);
             assert!(drift < 0.1, "{text}");
         }
-        // through the pin, where the force jumps and leapfrog loses its order
+        // the particle passes the pin, where the force jumps and leapfrog loses its order
         assert_near(numbers(&text, "pulled by 0.6 m")[0], 4.0 * f64::acos(-0.5 / 0.6) / omega, 5e-3, 0.0);
         for pull in [-0.1, 0.1, 0.2] {
             let [energy, slope, solver, _] = numbers(&text, &format!("{pull:.1}"))[..] else { panic!("{text}") };
@@ -48,10 +48,10 @@ fn dampers_take_what_the_equation_says() {
     assert_near(falls, 9.81, 1e-3, 0.0);
     assert_near(damped_falls, 9.81, 1e-3, 0.0);
     assert_near(turns, 0.5, 0.03, 0.0);
-    // of the difference of velocities, on half the mass
+    // the damper acts on the difference of velocities, with the reduced mass m/2
     assert_near(damped_turns, 0.5 * f64::exp(-0.4), 0.03, 0.0);
     assert_near(motion("drag of")[0], 9.81 / 2.0 * (1.0 - f64::exp(-2.0)), 1e-2, 0.0);
-    // the soonest below 1 % is the one whose overshoot is 1 %
+    // the ratio that settles below 1 % first is the one whose overshoot is 1 %
     let settled = |text: &str, ratio: &str| numbers(text, ratio)[2];
     let soonest = settled(&run("02-damping", &["0.83"]).0, "0.83");
     assert!(["0.25", "0.50", "1.00", "2.00"].iter().all(|ratio| settled(&text, ratio) > soonest), "{text}");
@@ -113,7 +113,7 @@ fn air_pushes_as_its_models_say() {
             assert_near(facet, 6.0 * across, 1e-3, 0.0);
             assert_near(aerodynamic, half * across * across, 2e-3, 0.0);
         }
-        // the sheet is flat at first, and no more than a tenth slower when the facet model has bent it
+        // the sheet is flat at first; when the facet model has bent it, it is no more than a tenth slower
         for (name, late_error) in [
             ("in aerodynamic wind", 0.01),
             ("in facet wind", 0.1),
@@ -146,7 +146,7 @@ fn a_margin_keeps_links_out_of_a_ball() {
     let margin = 1e3 * (f64::hypot(0.15, 0.02) - 0.15);
     let [nearest, middle] = numbers(&text, &format!("{margin:.3}"))[..] else { panic!("{text}") };
     assert!((nearest - margin).abs() < 1e-3 && middle > -0.05, "{text}");
-    // the sheet lies where friction holds it, and falls where there is none
+    // with enough friction the sheet rests on the ball, without friction it falls
     let height = |friction| numbers(&text, friction)[1];
     assert!(height("0.5 ") > -0.02 && height("0.1 ") < -0.05 && height("0 ") < -0.2, "{text}");
 }
@@ -154,7 +154,7 @@ fn a_margin_keeps_links_out_of_a_ball() {
 #[test]
 fn news_travels_two_links_a_sweep() {
     let (text, _) = run("07-super-elasticity", &[]);
-    // two colours of links, and one news in each
+    // two colours of links: in each sweep each colour moves one more particle
     assert_eq!(numbers(&text, "particles that have moved")[4..], [3.0, 5.0, 9.0, 17.0]);
     let springs = 100.0 * 31.0 * 31.0 * 0.01 * 9.81 / 1e5;
     let found = |name: &str, place: usize| numbers(&text, name)[place];

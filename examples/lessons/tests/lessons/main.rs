@@ -1,4 +1,4 @@
-//! Pages say what programs print, programs are short, and what they print is physics.
+//! Pages show the output of programs, programs are short, and their output agrees with physics.
 
 mod claims;
 mod pages;

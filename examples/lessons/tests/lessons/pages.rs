@@ -1,6 +1,6 @@
-//! Each lesson has a program of at most 60 lines, and a page that says what it prints and shows what it draws.
+//! Each lesson has a program of at most 60 lines, and a page with the program's output and plot.
 //!
-//! `UPDATE_LESSONS=1 cargo test -p lessons` writes what programs print and draw into the pages, and still fails.
+//! `UPDATE_LESSONS=1 cargo test -p lessons` writes output and plots into the pages, and still fails.
 
 use std::fs;
 use std::ops::Range;
@@ -8,14 +8,14 @@ use std::thread;
 
 use crate::program::{LESSONS, read, root, run};
 
-/// A line that is another one on each machine: what follows the colon is not compared.
+/// Start of a line that differs from machine to machine: text after its colon is not compared.
 const ITS_OWN: &str = "wall time";
 
 /// A block of a page in which a program is run.
 struct Run {
     lesson: String,
     arguments: Vec<String>,
-    /// Where in the page stands what it prints.
+    /// The range of the program's output in the page.
     printed: Range<usize>,
 }
 
@@ -33,7 +33,7 @@ fn runs(page: &str) -> Vec<Run> {
     page.match_indices(COMMAND).map(run).collect()
 }
 
-/// What is compared of a text.
+/// The compared parts of the lines of a text.
 fn compared(text: &str) -> Vec<&str> {
     let compared = |line: &'_ str| if line.starts_with(ITS_OWN) { line.find(':').unwrap_or(0) } else { line.len() };
     text.lines().map(|line| line[..compared(line)].trim_end()).collect()
@@ -49,12 +49,12 @@ fn pages_say_what_programs_print() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Where a page says or shows something else than the programs do. It is mended if that is asked for.
+/// Differences between a page and the output and plots of its programs. With `UPDATE_LESSONS` the page and the plots are rewritten.
 fn differences(name: &str) -> Vec<String> {
     let file = format!("docs/lessons/{name}.md");
     let (mut page, mut wrong) = (read(&file), Vec::new());
     let update = std::env::var_os("UPDATE_LESSONS").is_some();
-    // from the last one on, so that places stay
+    // from the last one on, so that earlier ranges stay valid
     for Run { lesson, arguments, printed } in runs(&page).into_iter().rev() {
         let (found, plot) = run(&lesson, &arguments.iter().map(String::as_str).collect::<Vec<_>>());
         if compared(&page[printed.clone()]) != compared(&found) {
@@ -126,7 +126,7 @@ fn links_lead_somewhere() {
     }
 }
 
-/// The files to which a page links, without places in them.
+/// The files to which a page links, without anchors.
 pub(crate) fn links(page: &str) -> Vec<String> {
     let targets = page.split("](").skip(1).filter_map(|rest| rest.split([')', '#']).next());
     targets.filter(|target| !target.is_empty() && !target.contains("://")).map(str::to_owned).collect()

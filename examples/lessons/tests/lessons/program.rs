@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{Arc, Mutex, OnceLock};
 
-/// The lessons, in their order, with their programs.
+/// The lessons in order, with the paths of their programs.
 pub(crate) const LESSONS: [(&str, &str); 10] = [
     ("01-spring", env!("CARGO_BIN_EXE_01-spring")),
     ("02-damping", env!("CARGO_BIN_EXE_02-damping")),
@@ -25,13 +25,13 @@ pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// What a file of the repository says.
+/// The text of a file of the repository.
 pub(crate) fn read(file: impl AsRef<Path>) -> String {
     let path = root().join(file);
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// What a lesson prints, and the plot that it writes. With the same arguments it is run once, in a folder of its own.
+/// The output of a lesson and the plot that it writes. With the same arguments the program is run once, in a folder of its own.
 pub(crate) fn run(lesson: &str, arguments: &[&str]) -> (String, String) {
     type Outcome = Arc<OnceLock<(String, String)>>;
     static RUNS: Mutex<BTreeMap<String, Outcome>> = Mutex::new(BTreeMap::new());

@@ -1,11 +1,11 @@
-//! The table of the thesis' equations and listings is whole: each row's items name it in their documentation, and so does its lesson.
+//! The table of the thesis' equations and listings is complete: the documentation of each row's items names the row's number, and so does its lesson.
 
 use std::fs;
 
 use crate::pages::links;
 use crate::program::{read, root};
 
-/// All that the library knows by its number in the thesis.
+/// Numbers in the thesis of the equations, figures, listings and sections that the library implements.
 const NUMBERS: [&str; 14] = [
     "3.3",
     "equations 4.1–4.3",
@@ -30,7 +30,7 @@ struct Row {
     lesson: String,
 }
 
-/// The rows of the table, with places seen from the repository's folder.
+/// The rows of the table, with paths relative to the repository's folder.
 fn table() -> Vec<Row> {
     let page = read("docs/guide/thesis.md");
     let rows = page.lines().filter(|line| line.starts_with("| ") && line.contains("../lessons/"));
