@@ -91,7 +91,8 @@ pub struct Lines {
     /// Sweeps end once no row has a larger residual strain than this. Sheets in motion are strained by about as much.
     pub tolerance: f64,
     /// The most sweeps in a substep, however large the residual, and the most parts into which a substep is split whose residual stays above twice the tolerance. Both bound the
-    /// time of a step. Sheets with a side of more than 32 particles may be split into 4 times as many parts, those with a side of more than 64 into 16 times as many.
+    /// time of a step. Sheets with a side of more than 32 particles may be split into 4 times as many parts, those with a side of more than 64 into 16
+    /// times as many, and so on with each doubling.
     pub most_sweeps: u32,
 }
 

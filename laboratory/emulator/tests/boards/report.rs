@@ -12,8 +12,12 @@ use crate::measure::strains;
 const PAGE: &str = "docs/instructions.md";
 const GUIDE: &str = "docs/guide/boards.md";
 const FIXED_POINT: &str = "docs/fixed-point.md";
-/// The lines around the tables of `GUIDE` and `FIXED_POINT`.
-const MARKS: [&str; 2] = ["<!-- figures of boards -->\n", "<!-- end of figures -->\n"];
+/// The line before the table of `GUIDE` and the first one of `FIXED_POINT`.
+const FIGURES: &str = "<!-- figures of boards -->\n";
+/// The line before the second table of `FIXED_POINT`.
+const COSTS: &str = "<!-- costs on boards -->\n";
+/// The line after a table.
+const END: &str = "<!-- end of figures -->\n";
 
 const PARTICLES: u64 = (SIDE * SIDE) as u64;
 const STRETCH_LINKS: u64 = (2 * SIDE * (SIDE - 1)) as u64;
@@ -114,6 +118,42 @@ const GOALS: [Goal; 4] = [
         goals: ["0.5", "0.25", "0.14"],
         reached: &[("`Q13`", "q13", LINE_SOLVER), ("`f32`", "f32", LINE_SOLVER)],
     },
+];
+
+/// A figure of a frame, in thousands of instructions.
+struct Cost {
+    what: &'static str,
+    number: &'static str,
+    scene: &'static str,
+    /// The index of the processor.
+    processor: usize,
+    /// The first true count.
+    first: u32,
+    /// The goal, and a more ambitious aim.
+    goals: [u32; 2],
+}
+
+const COST: [Cost; 6] = [
+    Cost {
+        what: "line solver, strain below 1 %, `Q13`, M0",
+        number: "q13",
+        scene: "lines",
+        processor: 0,
+        first: 658,
+        goals: [400, 330],
+    },
+    Cost { what: "… M3", number: "q13", scene: "lines", processor: 1, first: 356, goals: [230, 180] },
+    Cost { what: "… `f32`, M4F", number: "f32", scene: "lines", processor: 2, first: 196, goals: [120, 100] },
+    Cost {
+        what: "XPBD, 8 substeps of stretch and shear, `Q13`, M0",
+        number: "q13",
+        scene: "xpbd",
+        processor: 0,
+        first: 1070,
+        goals: [650, 535],
+    },
+    Cost { what: "… M3", number: "q13", scene: "xpbd", processor: 1, first: 660, goals: [400, 330] },
+    Cost { what: "… `f32`, M4F", number: "f32", scene: "xpbd", processor: 2, first: 851, goals: [500, 420] },
 ];
 
 fn path(page: &str) -> PathBuf {
@@ -242,14 +282,28 @@ fn page(figures: &[Figure]) -> String {
 }
 
 /// A page with `text` between its [`MARKS`].
-fn replaced(page: &str, text: &str) -> String {
-    let old = fs::read_to_string(path(page)).expect("a page can be read");
-    let (before, rest) = old.split_once(MARKS[0]).expect("a page has a place for figures");
-    let (_, after) = rest.split_once(MARKS[1]).expect("the place for figures ends");
-    [before, MARKS[0], text, MARKS[1], after].concat()
+fn replaced(page: &str, mark: &str, text: &str) -> String {
+    let (before, rest) = page.split_once(mark).expect("a page has a place for figures");
+    let (_, after) = rest.split_once(END).expect("the place for figures ends");
+    [before, mark, text, END, after].concat()
 }
 
-/// The page about fixed point with its table of goals. Figures that reach their goal are bold.
+fn read(page: &str) -> String {
+    fs::read_to_string(path(page)).expect("a page can be read")
+}
+
+/// The table of costs on boards: thousands of instructions, and KiB.
+fn costs(figures: &Figures) -> String {
+    let mut table = head(&[""], &["at first", "goal (aim)", "now"]);
+    for Cost { what, number, scene, processor, first, goals: [goal, aim] } in &COST {
+        let now = thousands(figures.get(number, scene))[*processor].clone();
+        table += &row(&[what], &[first.to_string(), format!("{goal} ({aim})"), now]);
+    }
+    let flash = format!("{:.0}", figures.get("q13", "lines").flash as f64 / 1024.0);
+    table + &row(&["line solver's flash on the M0, `Q13`, KiB"], &["44 to 48".to_owned(), "30 (24)".to_owned(), flash])
+}
+
+/// The page about fixed point with its tables of goals. Figures that reach their goal are bold.
 fn fixed_point(figures: &[Figure]) -> String {
     let figures = Figures(figures);
     let mut table = head(&["", ""], &PROCESSORS);
@@ -281,7 +335,7 @@ fn fixed_point(figures: &[Figure]) -> String {
     for (what, word, bytes) in ram {
         table += &row(&[what, word], &[&[bytes][..], &blank].concat());
     }
-    replaced(FIXED_POINT, &table)
+    replaced(&replaced(&read(FIXED_POINT), FIGURES, &table), COSTS, &costs(&figures))
 }
 
 /// The guide to boards with its table.
@@ -306,7 +360,7 @@ fn guide(figures: &[Figure]) -> String {
     let [xpbd, lines] = ["xpbd", "lines"].map(memory);
     let _ =
         writeln!(table, "\nA program that moves such a sheet takes {xpbd} with XPBD, {lines} with the line solver.");
-    replaced(GUIDE, &table)
+    replaced(&read(GUIDE), FIGURES, &table)
 }
 
 fn thousands(figure: &Figure) -> [String; 3] {
