@@ -4,18 +4,13 @@ use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::PointsIter;
 use embedded_graphics_simulator::SimulatorDisplay;
+use instances::simulation;
 use kerchief::Node;
 
 use super::super::caption::{Caption, KEYS, SIZE, WIDEST};
 use super::super::pointer::{Button, Pointer};
 use super::drawing::HAND;
 use super::*;
-
-kerchief::simulations! {
-    fn small;
-    scalars: F32 = f32, Q24 = kerchief::Q24;
-    grids: (8, 8) (1, 32)
-}
 
 /// A sheet that hangs from two corners.
 const SCENE: &str = r#"
@@ -48,7 +43,7 @@ fn scene() -> Description {
 }
 
 fn stage(scene: &Description) -> Stage<'_> {
-    let mut stage = Stage::new(scene, ScalarKind::F32, small).unwrap();
+    let mut stage = Stage::new(scene, ScalarKind::F32, simulation).unwrap();
     play(&mut stage, 20);
     stage
 }
@@ -87,7 +82,7 @@ fn picture(stage: &Stage<'_>) -> SimulatorDisplay<Rgb888> {
 fn a_particle_follows_the_pointer_and_falls_when_it_is_released() {
     let scene = scene();
     for scalar in [ScalarKind::F32, ScalarKind::Q24] {
-        let mut stage = Stage::new(&scene, scalar, small).unwrap();
+        let mut stage = Stage::new(&scene, scalar, simulation).unwrap();
         play(&mut stage, 20);
         let from = place(&stage, NODE);
         let at = pixel(&stage, NODE);
@@ -247,7 +242,7 @@ fn another_solver_and_number_type_keep_what_is_in_the_hand() {
 fn a_reset_keeps_the_view_and_empties_the_hand() {
     let scene = scene();
     let mut stage = stage(&scene);
-    let start = Stage::new(&scene, ScalarKind::F32, small).unwrap().simulation.digest();
+    let start = Stage::new(&scene, ScalarKind::F32, simulation).unwrap().simulation.digest();
     stage.point(Pointer::Wheel(2.0));
     let view = stage.orbit;
     let at = pixel(&stage, NODE);
@@ -265,7 +260,7 @@ fn a_reset_keeps_the_view_and_empties_the_hand() {
 fn a_hand_that_is_refused_says_why() {
     let short = SCENE.replace("substeps = 8", "substeps = 8192").replace("drag = 1.0\n", "");
     let scene = Description::parse(&short.replace("[shear]\nstiffness = 20.0\n", "")).unwrap();
-    let mut stage = Stage::new(&scene, ScalarKind::Q24, small).unwrap();
+    let mut stage = Stage::new(&scene, ScalarKind::Q24, simulation).unwrap();
     let at = pixel(&stage, NODE);
     assert_eq!(click(&mut stage, Button::Left, at), None);
     let complaint = stage.caption(None).complaint;
@@ -300,7 +295,7 @@ fn nothing_is_grabbed_that_has_exploded() {
 #[test]
 fn the_caption_says_solver_rate_and_strain() {
     let scene = scene();
-    let mut stage = Stage::new(&scene, ScalarKind::F32, small).unwrap();
+    let mut stage = Stage::new(&scene, ScalarKind::F32, simulation).unwrap();
     let strain = |stage: &Stage<'_>| stage.simulation.strains().stretch.unwrap().largest;
     let most = (0..20).fold(strain(&stage), |most, _| {
         stage.advance();
